@@ -8,9 +8,11 @@
 
 #include "base/position.h"
 
-/* A face that lies in a side of the domain is moved outwards to this multiple
- * of the largest coordinate of the domain and the mesh. Any factor above 1
- * keeps the face clear of both; 4 leaves a margin for rounding. */
+/* A face of a box region that lies in a side of the domain or beyond that side
+ * is moved outwards before the box is tested against a mesh (open_faces()): to
+ * this multiple of the largest absolute coordinate of the domain and the mesh.
+ * Any factor above 1 keeps the face clear of both; 4 leaves a margin for
+ * rounding. */
 #define FAR_TIMES 4
 
 static murk_affine placed(const murk_scene_region *r)
@@ -18,8 +20,9 @@ static murk_affine placed(const murk_scene_region *r)
     return murk_scene_placed(&r->solid);
 }
 
-/* Moves outwards those faces of a box region that lie in a side of the domain
- * or beyond that side. A rotated box keeps all of its faces. */
+/* Moves outwards, to the coordinate far_m or -far_m, those faces of a box
+ * region that lie in a side of the domain or beyond that side. The shape is in
+ * world coordinates afterwards. A rotated box stays as it is. */
 static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                        const murk_box *domain, double far_m)
 {
@@ -39,8 +42,9 @@ static void open_faces(murk_plain_shape *shape, const murk_scene_region *r,
                              high.z >= domain->max.z ? far_m : high.z}};
 }
 
-/* True if the boundary of a region that is no mesh crosses a boundary mesh;
- * *place then receives a corner of a triangle of the mesh, for the message. */
+/* True if the boundary of a region r that is no mesh crosses the boundary mesh
+ * of the region with the number `mesh`; *place then receives a corner of a
+ * triangle of the mesh, for the message. */
 static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
                           const murk_scene_region *r, const murk_box *domain,
                           murk_vec3 *place)
@@ -59,14 +63,16 @@ static bool crosses_plain(const murk_boundary_meshes *boundary_meshes, int mesh,
     } else if (r->shape == MURK_REGION_BELOW) {
         shape.box.max.z = r->below_z_m;
     } else if (r->shape != MURK_REGION_SPHERE) {
-        return false; /* everywhere holds all; grids have no index */
+        return false; /* everywhere contains all regions; a region with the
+                       * shape of a grid has no index of refraction */
     }
     return murk_boundary_meshes_meet_plain(boundary_meshes, mesh, &shape,
                                            place);
 }
 
-/* True if the boundaries of two regions cross, both of them with an index of
- * refraction and at least one of them a mesh. */
+/* True if the boundaries of the regions a and b cross, both regions have an
+ * index of refraction, and at least one of the two is a mesh; *place then
+ * receives a point for the message (geometry/boundary_meshes.h). */
 static bool cross(const murk_boundary_meshes *boundary_meshes,
                   const murk_scene_desc *scene, size_t a, size_t b,
                   const murk_box *domain, murk_vec3 *place)
@@ -126,7 +132,7 @@ murk_status murk_stage_boundary_meshes(murk_boundary_meshes **out,
                                                   .where = r->where};
         }
     }
-    /* Build the meshes, then test every pair of regions. */
+    /* Build the meshes; if there are any, test every pair of regions. */
     murk_status status = murk_boundary_meshes_create(&made, desc, n, err);
     if (!status && made) {
         status = check_pairs(made, scene, domain, err);

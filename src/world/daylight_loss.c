@@ -1,35 +1,38 @@
 /* The share of light from outside that the media of the domain absorb or
- * scatter before a surface or water: transmittances along rays on a fixed
- * pattern of rectangles of the floor and directions, averaged by the light that
- * each ray stands for. The pattern has no random numbers, so the same scene
- * gives the same share for any seed. */
+ * scatter before the light meets a surface, a change of the index of refraction
+ * or the floor (the lower side of the domain). The file computes the
+ * transmittance along rays to a fixed pattern of rectangles of the floor, from
+ * the direction of a beam or from the directions of a dome. All rays have equal
+ * weight, and the bands are weighted by power. The pattern has no random
+ * numbers, so the same scene gives the same share for any seed. */
 #include "world/daylight_loss.h"
 
 #include "path/pieces.h"
 
-/* The floor is divided into this number of rectangles along either axis, for a
- * beam and for a dome. The directions of a dome lie on rings of equal
- * irradiance, with spokes around each ring. The numbers are a choice; the share
- * is printed with three digits. */
+/* The numbers of rectangles into which the floor is divided along x and along
+ * y: BEAM_SQUARES for a beam, DOME_SQUARES for each direction of a dome. A dome
+ * has DOME_SPOKES directions on each of DOME_RINGS rings around the zenith,
+ * which have equal parts of the irradiance. The numbers are a choice. */
 #define BEAM_SQUARES 16
 #define DOME_SQUARES 6
 #define DOME_RINGS   4
 #define DOME_SPOKES  8
 
-/* After this many pieces, that is wraps of a periodic domain, the rest of a ray
- * is taken to be like the part before. */
+/* A ray that reaches a side in x or y of a domain that repeats begins a new
+ * piece at the opposite side. After this many pieces, the rest of the ray is
+ * taken to have the mean extinction of the pieces. */
 #define PIECES_MAX 200
 
-/* The rays of one world. */
+/* The properties that all rays through one world share. */
 typedef struct rays {
     const murk_transport_world *world;
     murk_path_tiling tiling;
 } rays;
 
-/* A ray that leaves through a side continues at the opposite side if the domain
- * is periodic or if the media continue outside. (In the second case the
- * surfaces are repeated, too, although there are none outside, so a ray may end
- * early at one of them.) */
+/* Sets *r for a world. A ray that leaves through a side in x or y continues at
+ * the opposite side if the domain is periodic or if the media continue outside.
+ * (If the media continue outside, the surfaces are repeated, too, although
+ * there are none outside, so a ray may end early at one of them.) */
 static void begin(rays *r, const murk_transport_world *world)
 {
     r->world = world;
@@ -42,10 +45,11 @@ static void begin(rays *r, const murk_transport_world *world)
         .free_above_m = INFINITY};
 }
 
-/* The ray along `direction` for one point of the floor. If the domain repeats,
- * the ray begins straight above the point at the top of the domain and ends at
- * the height of the floor. Otherwise the ray ends at the point and begins where
- * it enters the domain through the top or a side. */
+/* The ray along `direction`, which points downwards, for one point of the
+ * floor. If the domain repeats (begin()), the ray begins straight above the
+ * point at the top of the domain and ends at the height of the floor. Otherwise
+ * the ray ends at the point and begins where it enters the domain through the
+ * top or a side. */
 static murk_path_pieces ray_to(const rays *r, murk_vec3 floor,
                                murk_vec3 direction)
 {
@@ -63,7 +67,8 @@ static murk_path_pieces ray_to(const rays *r, murk_vec3 floor,
 }
 
 /* Optical depths by band from the beginning of the ray to its end, or to the
- * first surface or bend (change of the index of refraction) before the end. */
+ * first surface or bend (change of the index of refraction) before the end. A
+ * ray of more than PIECES_MAX pieces is extrapolated. */
 static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
 {
     const double length_m = ray.left_m;
@@ -87,7 +92,7 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
         }
         passed_m += stop.length_m;
     }
-    /* The rest of a ray of many wraps is like the part before. */
+    /* Extrapolate a ray that had pieces left. */
     if (is_free && passed_m > 0 && passed_m < length_m) {
         for (int b = 0; b < r->world->bands; ++b) {
             depth.band[b] *= length_m / passed_m;
@@ -96,8 +101,8 @@ static murk_spectrum depth_of(const rays *r, murk_path_pieces ray)
     return depth;
 }
 
-/* Adds the means of optical depth and transmittance over the rectangles of the
- * floor, times weight. */
+/* Adds the means, over squares * squares rectangles of the floor, of optical
+ * depth and transmittance along `direction`, times weight. */
 static void add_direction(murk_daylight_loss *out, const rays *r,
                           murk_vec3 direction, int squares, double weight)
 {
@@ -119,7 +124,8 @@ static void add_direction(murk_daylight_loss *out, const rays *r,
 }
 
 /* Adds the directions of a dome. Equal steps in sin^2 of the zenith angle and
- * in azimuth give equal parts of the irradiance of an even sky. */
+ * in azimuth give equal parts of the irradiance of an even sky on a level
+ * plane, so all directions have equal weight. */
 static void add_dome(murk_daylight_loss *out, const rays *r)
 {
     const murk_vec3 down = murk_vec(0, 0, -1);
@@ -142,7 +148,7 @@ murk_daylight_loss murk_daylight_loss_of(const murk_stage *stage, size_t light)
     for (int b = 0; b < world->bands; ++b) {
         power += l->power_w.band[b];
     }
-    /* The share is known for distant light from above only. */
+    /* The share is known only for distant light with power from above. */
     const bool is_dome = murk_source_type_group(l->type) == MURK_SOURCE_DOME;
     if (!murk_source_is_distant(l) || !(power > 0) ||
         (!is_dome && !(l->direction.z < 0))) {

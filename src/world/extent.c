@@ -56,9 +56,9 @@ static murk_box meet(murk_box a, murk_box b)
     return murk_extent_is_box(&both) ? both : murk_box_empty();
 }
 
-/* The box of the active voxels. The field of nearest interpolation ends half a
- * voxel beyond the outermost voxel centres, the field of linear interpolation
- * one voxel beyond them. */
+/* The box of the active voxels in world coordinates; empty if no voxel is
+ * active. With nearest interpolation the density ends half a voxel beyond the
+ * outermost voxel centres, with linear interpolation one voxel beyond them. */
 static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
                             bool is_linear)
 {
@@ -76,8 +76,9 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
     return murk_affine_box(&whole, &voxels);
 }
 
-/* The box of the intersection of a shape with the layers of a profile, in the
- * local coordinates of the region. */
+/* The intersection of the bounding box of a shape (sphere, mesh or box) with
+ * the layers of a profile, whose heights are z_m, in the local coordinates of
+ * the region; empty if the two are apart. */
 static murk_box box_of_shape(const murk_scene_region *r, const murk_mesh *mesh,
                              const murk_scene_numbers *z_m)
 {
@@ -114,9 +115,9 @@ murk_box murk_extent_region(const murk_scene_desc *scene,
     case MURK_REGION_BELOW:
         return box;
     }
-    /* A region that replaces other media, or has an index, counts with the
-     * whole shape. Otherwise the medium is limited to the layers of a profile
-     * or to the voxels of a grid. */
+    /* A region that replaces other media, or has an index of refraction, counts
+     * with the whole shape. Otherwise the box is limited to the layers of a
+     * profile or to the active voxels of a grid, if the medium has either. */
     const murk_scene_numbers *z_m = &scene->media[r->medium].profile_z_m;
     if (r->replaces || r->ior > 0) {
         return box;
@@ -168,7 +169,8 @@ murk_status murk_extent_domain(murk_domain *out, const murk_scene_desc *scene,
         const murk_source lamp = murk_sky_lamp(light); /* empty if distant */
         all = murk_extent_join(all, murk_source_box(&lamp));
     }
-    /* The box must have a length; then it is grown by the margin. */
+    /* The box must have an edge longer than 0; then it is grown by the margin.
+     */
     const murk_vec3 size = murk_sub(all.max, all.min);
     const double longest = fmax(size.x, fmax(size.y, size.z));
     if (!(longest > 0 && isfinite(longest))) {

@@ -23,7 +23,7 @@ void murk_file_sums_release(murk_file_sums *sums)
  * read or is larger than MURK_SUM_BYTES_MAX. NULL when out of memory. */
 static const char *sum_of(murk_file_sums *sums, const char *path)
 {
-    /* A file that was asked for before has an entry. */
+    /* A path that was asked for before has an entry. */
     for (size_t i = 0; i < sums->n; ++i) {
         if (strcmp(sums->path[i], path) == 0) {
             return sums->sum[i];
@@ -69,8 +69,9 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
     for (size_t i = 0; i < scene->files && is_whole; ++i) {
         is_whole = murk_file_sums_put(out, sums, scene->file[i]);
     }
-    /* Grids of media once more: a frame of a sequence is named by a pattern and
-     * is not in the list of files. */
+    /* The grid files of media are printed once more, because for a frame of a
+     * sequence the list of files holds the pattern of the names and not the
+     * file of the frame. */
     for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
         is_whole = murk_file_sums_put(out, sums, scene->media[i].vdb) &&
                    murk_file_sums_put(out, sums, scene->media[i].albedo_vdb);

@@ -1,7 +1,7 @@
-/* Checksums of the files that a scene names. Two scenes with the same text
- * differ if the contents of their files differ. The folder and name of a file
- * do not enter a checksum, so a scene has the same checksums in any folder and
- * on any machine. */
+/* Checksums of the files that a scene names. They tell apart two scenes with
+ * the same text but with files of different contents. The folder and name of a
+ * file do not enter the checksum, so a scene has the same checksums in any
+ * folder and on any machine. */
 #ifndef MURK_WORLD_FILE_SUMS_H
 #define MURK_WORLD_FILE_SUMS_H
 
@@ -25,14 +25,16 @@ typedef struct murk_file_sums {
 void murk_file_sums_release(murk_file_sums *sums);
 
 /* Prints one line with the checksum of a file to out. The line has "-" in place
- * of a checksum if path is NULL or if the file cannot be read or is too large;
- * the reader of the file reports that error later. Returns false when out of
- * memory. */
+ * of a checksum if path is NULL, or if the file cannot be read or is larger
+ * than MURK_SUM_BYTES_MAX; no error is reported then. Returns false, and prints
+ * nothing, when out of memory. */
 bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path);
 
-/* Prints such a line for each file that the scene names, two more for the grids
- * of each medium (path NULL for a medium without grid), and the same for each
- * condition of the scene. Returns false when out of memory. */
+/* Prints a line of murk_file_sums_put() for each file that the scene names, and
+ * two more lines for each medium: for the file of the density grid and for that
+ * of the albedo grid, with "-" if the medium has no such grid. The lines of
+ * each condition of the scene follow in the same way. Returns false when out of
+ * memory. */
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
                           const murk_scene_desc *scene);
 

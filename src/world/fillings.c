@@ -11,8 +11,9 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Fails if the file of a medium is a frame that does not exist, or if a pattern
- * of a sequence is given without a frame number. */
+/* Fails if the density file of a medium does not exist and is a frame of a
+ * sequence, or is the pattern of a sequence because the scene gives no frame
+ * number. A missing file that belongs to no sequence is no failure here. */
 static murk_status find_frame(const murk_scene_medium *m, murk_error *err)
 {
     const char *pattern = m->vdb_frames ? m->vdb_frames : m->vdb;

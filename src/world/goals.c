@@ -1,6 +1,7 @@
 /* Regions of interest and the target mesh of a scene. Boundary meshes are built
- * from the imported meshes, and every region is checked: a region in which no
- * photon could ever be stored is refused before anything is traced. */
+ * from the imported meshes. A region that lies outside the domain, or whose
+ * material or medium is used nowhere, is refused when the goals are built;
+ * murk_goals_check_seen() refuses a region without a record after tracing. */
 #include "world/goals.h"
 
 #include "base/position.h"
@@ -54,9 +55,9 @@ static bool fills_a_region(const murk_scene_desc *scene, int medium)
     return false;
 }
 
-/* Fails if no photon could be stored in a region of interest, whatever is
- * traced: the region lies outside the domain, no surface has the material, or
- * no region contains the medium. */
+/* Fails if a region of interest lies outside the domain, if no surface has the
+ * material of the region, or if no region of media contains the medium of the
+ * region. No photon could be stored in such a region of interest. */
 static murk_status check_place(const murk_goals *goals, size_t i,
                                const murk_surfaces *surfaces,
                                const murk_box *domain, murk_error *err)
@@ -73,7 +74,7 @@ static murk_status check_place(const murk_goals *goals, size_t i,
                          r->name, murk_position_show(box.min).text,
                          murk_position_show(box.max).text);
     }
-    /* The material or the medium is not used. */
+    /* The material or the medium of the region is used nowhere. */
     if (r->material >= 0 &&
         !(murk_surfaces_material_area(surfaces, (size_t)r->material) > 0)) {
         return murk_fail(err, MURK_BAD_VALUE, r->where,

@@ -1,5 +1,6 @@
-/* The things that a plan of this scene must cover: the regions of interest, and
- * the mesh whose volume targets are drawn from. */
+/* The regions of interest of a scene, whose photons or targets plans are to
+ * cover, and the boundary mesh of the volume that targets are drawn from, if
+ * that volume is bounded by a mesh. */
 #ifndef MURK_WORLD_GOALS_H
 #define MURK_WORLD_GOALS_H
 
@@ -10,14 +11,16 @@
 
 typedef struct murk_goals murk_goals;
 
-/* Builds the regions of interest and the target mesh for these surfaces and
- * this domain. mesh[n_interests + 1] are the imported meshes of the regions of
- * interest and of the targets, NULL for other shapes. The caller owns *out
- * (murk_goals_destroy()); the scene must outlive it. Fails with MURK_BAD_VALUE
- * at the place of a region of interest if two regions have the same name, if a
- * mesh is open, or if no photon could be stored in the region; at the place of
- * the targets if their mesh is open; and at the place of a sensor type if it
- * selects light by arrival although the scene has targets. Fails with
+/* Builds the regions of interest and the target mesh of a scene with the given
+ * surfaces and domain. mesh[n_interests + 1] are the imported meshes of the
+ * regions of interest and of the targets, NULL for other shapes. The caller
+ * owns *out (murk_goals_destroy()); the scene must outlive *out. Fails with
+ * MURK_BAD_VALUE at the place of a region of interest if two regions have the
+ * same name, or if the region lies outside the domain, names a material that no
+ * surface has or names a medium that no region of media contains; and at the
+ * place of a sensor type that selects light by arrival direction although the
+ * scene has targets. For the meshes of the regions and of the targets it fails
+ * as murk_boundary_meshes_create(), for example if a mesh is open. Fails with
  * MURK_NO_MEMORY, too. */
 murk_status murk_goals_create(murk_goals **out, const murk_scene_desc *scene,
                               murk_mesh *const *mesh,
@@ -28,18 +31,18 @@ void murk_goals_destroy(murk_goals *goals); /* NULL is fine */
 /* The regions of interest; NULL if the scene has none. */
 const murk_interest *murk_goals_interest(const murk_goals *goals);
 
-/* The mesh that targets are drawn from, as boundary mesh number 0; NULL if the
- * scene has none. */
+/* The mesh that bounds the volume of the targets, as boundary mesh number 0;
+ * NULL if the scene has no such mesh. */
 const murk_boundary_meshes *murk_goals_target_mesh(const murk_goals *goals);
 
-/* The bounding box of a region of interest or of the targets: box or sphere of
- * `solid`, or boundary mesh `number` of meshes; infinite for any other
- * shape. */
+/* The bounding box of a region of interest or of the volume of the targets: of
+ * the box or the sphere of `solid`, or of the boundary mesh `number` of meshes;
+ * infinite for any other shape. */
 murk_box murk_goals_box(murk_region_shape shape, const murk_scene_solid *solid,
                         const murk_boundary_meshes *meshes, int number);
 
-/* The regions of interest that contain at least one record of the sight: bit i
- * is set for region i. */
+/* The regions of interest that contain at least one record (photon or target)
+ * of the sight: bit i is set for region i. */
 uint64_t murk_goals_seen(const murk_sight *sight);
 
 /* Fails with MURK_RUN_FAILED at the place of the first region of interest whose

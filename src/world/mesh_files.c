@@ -21,8 +21,8 @@ murk_mesh_file murk_mesh_file_at(const murk_scene_desc *scene, size_t i)
 {
     const murk_scene_candidates *sites = &scene->sensors.candidates;
     const murk_scene_placement *placement = &scene->placement;
-    /* Take the number of the item within the part of the scene that holds it.
-     */
+    /* Find the part of the scene that the item belongs to; i becomes the index
+     * within this part. */
     if (i < scene->geometries) {
         const murk_scene_geometry *g = &scene->geometry[i];
         murk_mesh_file file = file_of(&g->solid, g->where);

@@ -1,6 +1,7 @@
-/* The mesh files that a scene names, as one list: those of the geometry, of the
- * regions, of the regions of interest, of the targets, and of the zones of
- * candidate sites (those to avoid, then those to keep within). */
+/* The mesh files that a scene names, as one list. The list has an item for each
+ * geometry, then for each region, for each region of interest, one for the
+ * targets, and one for each zone of candidate sites (those to avoid, then those
+ * to keep within), whether or not the shape is a mesh. */
 #ifndef MURK_WORLD_MESH_FILES_H
 #define MURK_WORLD_MESH_FILES_H
 

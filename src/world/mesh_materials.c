@@ -1,9 +1,9 @@
-/* Lists the material names of imported meshes with the area of their triangles
- * and with the material of the scene that each name was given.
- * (geometry/placed_shapes.c assigns the materials by the same function.) Warns
- * of names that match no entry of `materials` and of entries that no surface
- * uses.
- */
+/* Lists the material names of the imported meshes of the geometry, with the
+ * area of the triangles of each name and with the material of the scene that
+ * each name was given. (murk_surfaces_material_named() finds the material by
+ * the same function by which geometry/placed_shapes.c assigns it to triangles.)
+ * Warns of names that match no entry of `materials` and of entries that no
+ * surface uses. */
 #include "world/mesh_materials.h"
 
 #include "base/log.h"
@@ -14,21 +14,23 @@
 #include <string.h>
 #include <strings.h>
 
-/* Names that one warning lists, and the size of the text: 8 names fill some 400
- * characters. */
+/* The number of names that one warning lists at most, and the size of the text
+ * of these names, which is cut off beyond. 8 names of 50 characters fill some
+ * 430 characters; a name has at most 63 (MURK_NAME_SIZE in geometry/mesh.h). */
 #define NAMES_IN_WARNING 8
 #define WARNING_SIZE     480
 
-/* Importers give these names to triangles that have no material in the file;
- * the user has not written them. */
+/* True if the name is empty, "default" or "DefaultMaterial", in any case.
+ * Importers give these names to triangles that have no material in the file, so
+ * the user has probably not written such a name. */
 static bool is_no_name(const char *name)
 {
     return !*name || strcasecmp(name, "default") == 0 ||
            strcasecmp(name, "DefaultMaterial") == 0;
 }
 
-/* Adds the area of each triangle in world coordinates to the sum of the
- * material name. */
+/* Adds the area of each triangle of a mesh, transformed by to_world, to the
+ * element of area_m2 of the triangle's material name. */
 static void add_areas(double *area_m2, const murk_mesh *mesh,
                       const murk_affine *to_world)
 {
@@ -46,7 +48,8 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
                                 const murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    /* Count the names of all meshes, and the most names of one mesh. */
+    /* Count the names of all meshes, and find the largest number of one mesh.
+     */
     size_t all = 0, max = 0;
     for (size_t i = 0; i < scene->geometries; ++i) {
         const size_t names = stage->mesh[i] ? stage->mesh[i]->materials : 0;
@@ -74,7 +77,7 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
         add_areas(area_m2, mesh, &to_world);
         for (size_t k = 0; k < mesh->materials; ++k) {
             if (!(area_m2[k] > 0)) {
-                continue; /* defined in the file, but no triangle uses it */
+                continue; /* no triangle with an area has this name */
             }
             murk_mesh_material *m = &list[found++];
             *m = (murk_mesh_material){.geometry = i,
@@ -93,7 +96,9 @@ murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
     return MURK_OK;
 }
 
-/* One warning for the names of one mesh that got the material `default`. */
+/* Prints one warning for those of n names of one mesh that got the material
+ * `default` because no entry of `materials` matches; nothing if there are
+ * none. */
 static void warn_of_names(const murk_mesh_material *list, size_t n,
                           const murk_scene_desc *scene)
 {

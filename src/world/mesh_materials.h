@@ -1,6 +1,7 @@
-/* The material names of imported mesh files and the materials of the scene that
- * they were given. A name without an entry in `materials` gets the material
- * `default` without an error, so the user must be able to see that. */
+/* The material names in the mesh files of the geometry, and the material of the
+ * scene that each name was given. A name without an entry in `materials` gets
+ * the material `default` without an error, so the user must be able to see
+ * which names have no entry. */
 #ifndef MURK_WORLD_MESH_MATERIALS_H
 #define MURK_WORLD_MESH_MATERIALS_H
 
@@ -16,20 +17,21 @@ typedef struct murk_mesh_material {
                        * that the triangles got */
     bool is_forced;   /* the key geometry.*.material chose the material, not the
                        * name */
-    bool is_named;    /* `materials` has an entry of this name; false if
-                       * is_forced */
+    bool is_named;    /* `materials` has an entry of this name, apart from case
+                       * and blanks; false if is_forced */
 } murk_mesh_material;
 
-/* All material names that have an area, ordered by geometry and by their order
- * in the file. The caller frees *out, which must not outlive the stage. Fails
- * with MURK_NO_MEMORY. */
+/* Sets *out to the *n material names whose triangles have an area, ordered by
+ * geometry, and within one geometry as in the imported mesh. The caller frees
+ * *out, which must not outlive the stage. Fails with MURK_NO_MEMORY. */
 murk_status murk_mesh_materials(murk_mesh_material **out, size_t *n,
                                 const murk_stage *stage, murk_error *err);
 
 /* Warns of names that got the material `default` because no entry has the name,
- * one line for each mesh, and of entries of `materials` other than `default`
- * that no surface uses. Names that importers give to triangles without a
- * material do not count. */
+ * with one line for each mesh, which lists the first names only if there are
+ * many; and of each entry of `materials` other than `default` that no surface
+ * uses. Names that importers give to triangles without a material do not count.
+ * Nothing is printed if there is no memory for the list of names. */
 void murk_warn_of_materials(const murk_stage *stage);
 
 #endif

@@ -1,7 +1,8 @@
 /* Builds the phase functions of the media of a scene from the scene structs.
  * Phase functions in closed form are set directly; Fournier-Forand, measured
- * tables (CSV) and mixtures of presets become tables (medium/phase_table.h),
- * and phase functions with equal parameters share one table. */
+ * tables (CSV) and mixtures of presets become tables (medium/phase_table.h).
+ * Measured tables from one path share one table, and so do Fournier-Forand
+ * functions with equal parameters. */
 #include "world/phases.h"
 
 #include "base/log.h"
@@ -13,15 +14,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Limit on the nodes of all tables of a scene, some 130 MB: a scene may name
- * many files. */
+/* Limit on the number of nodes of all tables of a scene together, so that a
+ * scene that names many files cannot take all memory: the nodes of 24 bytes
+ * take 96 MB. */
 #define NODES_MAX 4000000
 
-/* A table is extended beyond the first and the last row. Warn if more than this
- * share of the scattered light lies in such an extension. */
+/* A measured table is extended to angle 0 before the first row and to 180
+ * degrees beyond the last row. Warn if more than this share of the scattered
+ * light lies in one of the two extensions. The share is a choice. */
 #define BEYOND_ROWS .1
 
-/* Reads the numbers of one column. The caller owns *out. */
+/* Reads the numbers of one column. The caller frees *out, also after a failure.
+ */
 static murk_status read_column(double **out, const murk_table *csv,
                                const char *name, murk_error *err)
 {
@@ -41,7 +45,8 @@ static murk_status read_column(double **out, const murk_table *csv,
     return status;
 }
 
-/* Warns if much of the light lies outside the rows of a table. */
+/* Warns if more than BEYOND_ROWS of the light lies before the first row or
+ * beyond the last row of a table. */
 static void warn_of_guesses(const murk_phase_table *table, const char *path)
 {
     const murk_phase_facts *facts = murk_phase_table_facts(table);
@@ -91,8 +96,9 @@ static bool needs_table(const murk_scene_phase *phase)
            murk_phase_is_tabulated(phase->kind);
 }
 
-/* True if two phase functions that need a table have the same table. Mixtures
- * are compared by identity alone. */
+/* True if two phase functions, of which b needs a table and a has one, share
+ * the table: they name the same path, or have the same kind and numbers. A
+ * mixture is the same as itself only. */
 static bool is_same(const murk_scene_phase *a, const murk_scene_phase *b)
 {
     if (a->mixture || b->mixture) {
@@ -131,7 +137,7 @@ static murk_status find_table(const murk_phase_table **out, murk_phases *phases,
     if (*out) {
         return MURK_OK;
     }
-    /* Build a new table; their total size is limited. */
+    /* Build a new table; the number of nodes of all tables is limited. */
     murk_phase_table *made = NULL;
     const murk_status status = make_table(&made, phase, err);
     if (status) {
@@ -157,8 +163,8 @@ static murk_phase phase_of(const murk_scene_phase *p, int band,
                                       : murk_phase_of(p->kind, p->value);
 }
 
-/* Sets the phase functions of one medium: one for all bands, or one for each
- * band. */
+/* Sets the phase functions of one medium for all bands of the scene. The medium
+ * has one phase function for all bands, or one for each band. */
 static murk_status fill_medium(murk_phases *phases,
                                const murk_scene_desc *scene, size_t medium,
                                murk_error *err)

@@ -5,9 +5,9 @@
 #include "world/stage.h"
 
 /* Converts the tallies of the scene and checks them against the domain. *out
- * has scene->n_tallies elements, which the caller frees, and is NULL if the
- * scene has no tallies. The scene must outlive *out. Fails as
- * murk_tallies_check() or with MURK_NO_MEMORY. */
+ * has scene->n_tallies elements; the caller frees *out. *out is NULL if the
+ * scene has no tallies, and after a failure. The scene must outlive *out. Fails
+ * as murk_tallies_check() or with MURK_NO_MEMORY. */
 murk_status murk_tallies_asked(murk_tally_desc **out,
                                const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err);
@@ -16,9 +16,11 @@ murk_status murk_tallies_asked(murk_tally_desc **out,
  * none. */
 double murk_tallies_bytes(const murk_stage *stage, unsigned threads);
 
-/* Creates the tallies of a run for that many threads; *out is NULL if the scene
- * has none. Fails as murk_tallies_create(). The caller destroys *out with
- * murk_tallies_destroy(); the stage must outlive *out. */
+/* Creates the tallies of a run in which at most `threads` threads add to them;
+ * *out is NULL if the scene has none. Fails as murk_tallies_create()
+ * (transport/tallies.h), also if the tallies would take more than
+ * memory_max_bytes. The caller destroys *out with murk_tallies_destroy(); the
+ * stage must outlive *out. */
 murk_status murk_tallies_of_stage(murk_tallies **out, const murk_stage *stage,
                                   unsigned threads, double memory_max_bytes,
                                   murk_error *err);

@@ -1,6 +1,7 @@
-/* Chooses the planes of plan and sections. The floor is looked for by rays down
- * from sites of sensors, because the lowest point of a sloping ground would put
- * the plan below most of it. */
+/* Chooses the planes of the plan (a level section) and of the two upright
+ * sections. The height of the floor is found by rays that lead down from the
+ * sites of sensors, because a plan at the lowest point of sloping ground would
+ * lie below most of the ground. */
 #include "world/section_cut.h"
 
 #include "base/quantile.h"
@@ -10,10 +11,11 @@
  * windows, as architects cut. */
 #define PLAN_ABOVE_FLOOR_M 1.5
 
-/* Sites below which the floor is looked for, at most. */
+/* The largest number of sites below which the floor is looked for. */
 #define FLOOR_SAMPLES 1024
 
-/* Planes that the user has not chosen lie at multiples of this length [m]. */
+/* Planes that the user has not chosen lie at multiples of this length [m] in
+ * the coordinates of the user. */
 #define CUT_STEP_M 0.01
 
 static murk_box box_of_sites(const murk_vec3 *site, size_t sites)
@@ -25,8 +27,11 @@ static murk_box box_of_sites(const murk_vec3 *site, size_t sites)
     return box;
 }
 
-/* The floor: the median height of the surfaces below sites, which neither
- * a table nor a hole moves. Without sites the lowest thing. */
+/* The height of the floor: the median height of the first surfaces below the
+ * sites, or below every step-th site if there are many. If no surface is below
+ * a site, the bottom of `things` counts. A table or a hole below few of the
+ * sites does not change the median. Without sites the result is the bottom of
+ * `things`. */
 static double floor_of(const murk_stage *stage, const murk_vec3 *site,
                        size_t sites, const murk_box *things)
 {
@@ -83,7 +88,7 @@ murk_vec3 murk_stage_section_cut(const murk_stage *stage, const murk_vec3 *site,
                  plan_m = floor_m + PLAN_ABOVE_FLOOR_M;
     murk_vec3 cut = murk_scale(0.5, murk_add(middle_of.min, middle_of.max));
     cut.z = plan_m < things.max.z ? plan_m : (floor_m + things.max.z) / 2;
-    /* Round numbers are easier to ask for again. */
+    /* Round to CUT_STEP_M: a user can give round numbers more easily. */
     const murk_vec3 user = murk_scene_user(stage->scene, cut);
     const murk_vec3 rounded = murk_vec(round(user.x / CUT_STEP_M) * CUT_STEP_M,
                                        round(user.y / CUT_STEP_M) * CUT_STEP_M,

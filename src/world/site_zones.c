@@ -1,5 +1,5 @@
-/* Converts the zones of a scene (boxes, spheres, meshes) into those of
- * geometry/zones.h, when candidate sites are wanted. */
+/* Converts the zones of candidate sites of a scene (boxes, spheres, meshes)
+ * into those of geometry/zones.h. */
 #include "world/site_zones.h"
 
 #include <stdlib.h>

@@ -3,9 +3,9 @@
  * source/clear_sky.h, spectra from source/solar_spectrum.h, moonlight, twilight
  * and airglow from source/moonlight.h, source/twilight.h and
  * source/night_sky.h; each of these headers cites the model. This file adds
- * clouds (Kasten and Czeplak 1980, below), the radiance distribution of the sky
- * (CIE standard general sky), the split of the irradiance into bands, and the
- * schedules of lamps. */
+ * clouds (Kasten and Czeplak 1980, below), the choice of the radiance
+ * distribution of the sky (CIE standard general sky, source/dome.h), the split
+ * of the irradiance into bands, and the schedules of lamps. */
 #include "world/sky.h"
 
 #include <assert.h>
@@ -26,14 +26,15 @@
 #define RAD       (MURK_PI / 180) /* radians in a degree */
 #define RIGHT_DEG 90.0            /* elevation of the zenith */
 
-/* Elevation of the centre of the sun at sunrise and sunset by the convention of
- * almanacs: refraction at the horizon of 34' and a semidiameter of 16'. */
+/* Elevation, without refraction, of the centre of the sun at sunrise and sunset
+ * by the convention of almanacs: minus the refraction at the horizon, 34', and
+ * minus the semidiameter, 16'. */
 #define SUNRISE_DEG (-50.0 / 60)
 
-/* The effect of clouds over a share N of the sky: left is the share of the
- * global irradiance of a clear sky that remains, 1 - .75 N^3.4; diffuse is the
- * share of the remaining irradiance that is diffuse, .3 + .7 N^2. Source: F.
- * Kasten and G. Czeplak, Solar Energy 24 (1980) 177,
+/* The effect of clouds over a share N of the sky, 0..1: left is the share of
+ * the global irradiance of a clear sky that remains, 1 - .75 N^3.4; diffuse is
+ * the share of the remaining irradiance that is diffuse, .3 + .7 N^2. Source:
+ * F. Kasten and G. Czeplak, Solar Energy 24 (1980) 177,
  * doi:10.1016/0038-092X(80)90391-6. */
 typedef struct clouds {
     double left, diffuse;
@@ -64,8 +65,8 @@ static murk_observer observer_of(const murk_scene_site *site)
 typedef murk_status (*body_finder)(murk_body *out, const murk_observer *,
                                    double, murk_error *);
 
-/* Computes the position of a body at the site and time; an error names the
- * time. */
+/* Computes the position of a body at the place and time of `site` with the
+ * function `at`; an error names the time. */
 static murk_status find(murk_body *out, body_finder at,
                         const murk_scene_site *site, const char *where,
                         murk_error *err)
@@ -96,9 +97,10 @@ static murk_vec3 towards(const murk_body *body, murk_vec3 north)
 
 /* ---- schedules ---- */
 
-/* True if the local time of day lies in one of the spans. A span whose end is
- * an earlier time of day than its beginning passes midnight. The end of a span
- * is not part of it. */
+/* True if the local time of day at the site lies in one of the spans of the
+ * schedule. A span whose end is an earlier time of day than the beginning
+ * passes midnight. The beginning of a span belongs to the span, the end does
+ * not. */
 static bool is_within_spans(const murk_scene_schedule *schedule,
                             const murk_scene_site *site)
 {
@@ -114,9 +116,9 @@ static bool is_within_spans(const murk_scene_schedule *schedule,
     return false;
 }
 
-/* Sets *out to whether the upper limb of the sun is below the horizon at the
- * time of the scene. Fails with MURK_BAD_VALUE if the scene has no latitude or
- * longitude, or as murk_sun_at() does. */
+/* Sets *out to whether the upper limb of the sun is below the horizon
+ * (SUNRISE_DEG) at the place and time of the scene. Fails with MURK_BAD_VALUE
+ * if the scene has no latitude or longitude, or as murk_sun_at() does. */
 static murk_status is_night(bool *out, const murk_scene_desc *scene,
                             const char *where, murk_error *err)
 {
@@ -134,8 +136,8 @@ static murk_status is_night(bool *out, const murk_scene_desc *scene,
     return status;
 }
 
-/* Sets *out to whether the schedule of a lamp has it switched on at the time of
- * the scene. Fails as is_night(). */
+/* Sets *out to whether a lamp or directional light is on at the time of the
+ * scene by its schedule. Fails as is_night() if the schedule is night. */
 static murk_status shines(bool *out, const murk_scene_desc *scene,
                           const murk_scene_light *light, murk_error *err)
 {
@@ -157,8 +159,9 @@ static murk_status shines(bool *out, const murk_scene_desc *scene,
 
 /* ---- irradiance and spectrum ---- */
 
-/* Warns of the first band that reaches beyond the wavelengths of the spectrum:
- * the spectrum is 0 there only because the model ends. */
+/* Warns of the first band that reaches beyond the wavelengths of the spectrum.
+ * At the wavelengths beyond, the spectrum is 0 only because the model ends.
+ * Bands without edges give no warning. */
 static void warn_beyond(const murk_scene_desc *scene,
                         const murk_scene_light *light,
                         const murk_solar_spectrum *spectrum)
@@ -178,10 +181,10 @@ static void warn_beyond(const murk_scene_desc *scene,
     }
 }
 
-/* Splits an irradiance over all wavelengths [W/m2] into bands by the spectrum.
- * A total that the user gives is that of all bands together and replaces the
- * irradiance of the model; irradiances that the user gives for each band are
- * used as they are. */
+/* Splits an irradiance over all wavelengths [W/m2] into the bands of the scene
+ * by the spectrum. If the user gives a total, it is the irradiance of all bands
+ * together, and is split in place of the irradiance of the model. If the user
+ * gives an irradiance for each band, these are returned as they are. */
 static murk_spectrum spread(const murk_scene_desc *scene,
                             const murk_scene_light *light,
                             const murk_solar_spectrum *spectrum,
@@ -199,7 +202,8 @@ static murk_spectrum spread(const murk_scene_desc *scene,
             scene->has_edges
                 ? murk_solar_spectrum_share(spectrum, scene->band_edge_nm[b],
                                             scene->band_edge_nm[b + 1])
-                : 1; /* a single wavelength: the user gives the total */
+                : 1; /* bands without edges: scene/keys_sky.c accepts only a
+                      * single band here, of which the user gives the total */
         all += out.band[b];
     }
     /* Scale the shares to the irradiance. */
@@ -212,7 +216,8 @@ static murk_spectrum spread(const murk_scene_desc *scene,
     return out;
 }
 
-/* Luminous efficacy of the spectrum: lumens per watt of all wavelengths. */
+/* Luminous efficacy of the spectrum: lumens per watt of the power at all
+ * wavelengths. */
 static double lumen_per_watt(const murk_solar_spectrum *spectrum)
 {
     const double from = 380, to = 780; /* nm; limits of the photopic luminosity
@@ -228,7 +233,8 @@ static double pressure_hpa_of(const murk_scene_site *site)
                               : murk_standard_pressure_hpa(site->altitude_m);
 }
 
-/* The spectrum of sun, moon or sky for a body at this apparent elevation. */
+/* The spectrum of sun, moon, sky or night sky, according to `source`, if the
+ * body that emits or reflects the light has this apparent elevation. */
 static murk_solar_spectrum spectrum_of(murk_spectrum_source source,
                                        const murk_scene_light *light,
                                        double elevation_deg)
@@ -286,9 +292,10 @@ static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
     facts->elevation_deg = day.sun.elevation_deg;
     facts->is_on = day.sun.elevation_deg > 0;
     aim_from(out, &day.sun, scene->north);
-    /* Under clouds the direct light is the share of the remaining irradiance
-     * that is not diffuse, and never more than the direct irradiance of a clear
-     * sky. */
+    /* Under clouds the direct irradiance on a level plane is the share of the
+     * remaining global irradiance that is not diffuse. Divided by the sine of
+     * the elevation, it is normal to the beam; it is never more than the direct
+     * irradiance of a clear sky. */
     double direct = day.clear.direct_w_per_m2;
     if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
         const clouds c = clouds_of(light->cover);
@@ -338,7 +345,9 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     facts->elevation_deg = body.elevation_deg;
     facts->is_on = body.elevation_deg > 0;
     aim_from(out, &body, scene->north);
-    /* Clouds dim the moon as they dim the sun, relative to a clear sky. */
+    /* Clouds leave of the direct moonlight the ratio of the direct irradiance
+     * under these clouds to that under a clear sky, both by the law of Kasten
+     * and Czeplak. */
     const clouds c = clouds_of(light->cover),
                  none = clouds_of(MURK_SCENE_CLEAR);
     const double seen = c.left * (1 - c.diffuse) / (1 - none.diffuse);
@@ -350,8 +359,9 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
-/* Diffuse irradiance on a level plane by day and in twilight [W/m2]: the larger
- * of both models, so that they join without a gap. */
+/* Diffuse irradiance by sunlight on a level plane [W/m2] under the clouds: the
+ * larger of the values of the model of the day (source/clear_sky.h) and of the
+ * model of twilight (source/twilight.h), so that the two join without a gap. */
 static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
                                  const murk_solar_spectrum *spectrum)
 {
@@ -369,7 +379,8 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
                              const murk_scene_desc *scene,
                              const murk_scene_light *light, murk_error *err)
 {
-    /* CIE standard general sky types: 12 clear, 7 partly cloudy, 1 overcast. */
+    /* The type of the CIE standard general sky for each key word: 12 clear, 7
+     * partly cloudy, 1 overcast. The key cie_type replaces it. */
     static const int type_of[] = {[MURK_SCENE_CLEAR] = 12,
                                   [MURK_SCENE_INTERMEDIATE] = 7,
                                   [MURK_SCENE_OVERCAST] = 1};
@@ -395,7 +406,8 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     const double by_moon = clouds_of(light->cover).left *
                            moonlight.diffuse_lux /
                            lumen_per_watt(&facts->spectrum);
-    /* The brighter of the two shapes the radiance distribution. */
+    /* The radiance distribution is that for the position of sun or moon,
+     * whichever gives more diffuse irradiance. */
     const murk_body *brighter = by_sun >= by_moon ? &day.sun : &body;
     facts->azimuth_deg = day.sun.azimuth_deg;
     facts->elevation_deg = day.sun.elevation_deg;
@@ -406,9 +418,10 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
-/* Airglow comes from a layer: its radiance rises towards the horizon, and the
- * longer path through air lowers it again. An even sky of the same irradiance
- * on a level plane stands for both. */
+/* The radiance of a night sky rises towards the horizon, because the line of
+ * sight crosses more glowing air, and extinction along the longer path lowers
+ * the radiance again. murk_night_sky_lux() includes both effects; the source is
+ * an even sky of the same irradiance on a level plane. */
 static murk_status night_light(murk_source *out, murk_sky_facts *facts,
                                const murk_scene_desc *scene,
                                const murk_scene_light *light, murk_error *err)
@@ -462,7 +475,8 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     murk_status status;
     *facts = (murk_sky_facts){
         .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
-    /* Sources of the sky are computed; lamps follow their schedule. */
+    /* Sun, moon and skies are computed; lamps and directional light follow
+     * their schedule. */
     if (murk_scene_light_is_of_sky(l)) {
         *out = (murk_source){.type = l->type, .where = l->where};
         status = of_sky[l->type](out, facts, scene, l, err);
@@ -473,7 +487,8 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     if (status) {
         return status;
     }
-    /* A source that is off has no power; a source without power is off. */
+    /* A source that is off gets power 0 in all bands; then every source whose
+     * power is 0 in all bands counts as off. */
     if (!facts->is_on) {
         out->power_w = murk_spectrum_flat(0, MURK_BANDS_MAX);
     }
@@ -491,14 +506,16 @@ murk_status murk_sky_lights(murk_source **out, murk_sky_facts *facts,
     for (size_t i = 0; i < n; ++i) {
         portals += scene->lights[i].portals;
     }
-    /* One block of memory holds the sources, then the portals of all. */
+    /* One block of memory holds the sources, then the portals of all sources.
+     */
     murk_source *light =
         calloc(1, (n + 1) * sizeof *light + portals * sizeof(murk_portal));
     if (!light) {
         return murk_no_memory(err, scene->path, "for the lights");
     }
     murk_portal *next = (murk_portal *)(light + n + 1);
-    /* Convert each light source, and append its portals. */
+    /* Convert each light source, and append its portals to the portals of the
+     * sources before it. */
     murk_status status = MURK_OK;
     for (size_t i = 0; i < n && !status; ++i) {
         const murk_scene_light *from = &scene->lights[i];

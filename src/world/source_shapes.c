@@ -22,9 +22,9 @@ static void put_vector(FILE *out, murk_vec3 v)
     fprintf(out, "%a %a %a\n", v.x, v.y, v.z);
 }
 
-/* Prints all properties of a source but its power. Distant light that does not
- * emit prints one word: the position of a sun below the horizon changes no
- * photon. */
+/* Prints all properties of a source that photons depend on, except the power.
+ * For distant light without power the text is one word: the position of a sun
+ * below the horizon, for example, changes no photon. */
 static void put_light(FILE *out, const murk_source *l)
 {
     if (murk_source_is_distant(l) && !shines(l)) {
@@ -38,8 +38,8 @@ static void put_light(FILE *out, const murk_source *l)
     put_vector(out, l->direction);
     fprintf(out, "%a %a %a %a %a %a\n", l->angular_radius_rad, l->dome.a,
             l->dome.b, l->dome.c, l->dome.d, l->dome.e);
-    if (l->dome.c != 0 || l->dome.e != 0) { /* otherwise the direction is not
-                                             * used */
+    if (l->dome.c != 0 || l->dome.e != 0) { /* if both are 0, the direction of
+                                             * sun or moon is not used */
         put_vector(out, l->dome.towards);
     }
     for (size_t i = 0; i < l->portals; ++i) {

@@ -1,6 +1,8 @@
-/* A text that describes the light sources of a scene except their power. If two
- * scenes have the same text, their light sources differ in power alone, except
- * for distant light that is dark in both scenes. */
+/* A text that describes the light sources of a scene, as the photon tracer uses
+ * them, except their power. If two scenes have the same text, each light source
+ * of one scene emits photons of the same distribution as that of the other
+ * scene and differs in power alone, or is distant light without power in both
+ * scenes. */
 #ifndef MURK_WORLD_SOURCE_SHAPES_H
 #define MURK_WORLD_SOURCE_SHAPES_H
 

@@ -21,14 +21,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Warn if the step of single precision is more than this share of the extent of
- * a mesh. The step is 2^-24 to 2^-23 of the distance from the origin, so a mesh
- * reaches this share at 84 to 168 times its extent. */
+/* Warn if the step of single precision is more than this share of the longest
+ * edge of the bounding box of a mesh. The step is 2^-24 to 2^-23 of the largest
+ * coordinate, so the step reaches this share if the largest coordinate is 84 to
+ * 168 times the longest edge. */
 #define STEP_WARNED 1e-5
 
 /* Appends the checksum of a file to the light key. The key already contains the
- * name of the file without the folder, so that a scene may be moved together
- * with its files. Fails as murk_file_checksum(). */
+ * name of the file without the folder, so a scene that is moved together with
+ * its files keeps its key. Fails at `where` as murk_file_checksum() does, also
+ * for a file larger than MURK_SUM_BYTES_MAX (world/file_sums.h), or with
+ * MURK_NO_MEMORY. */
 static murk_status add_checksum(murk_stage *stage, const char *path,
                                 const char *where, murk_error *err)
 {
@@ -50,15 +53,17 @@ static murk_status add_checksum(murk_stage *stage, const char *path,
     return MURK_OK;
 }
 
-/* A mesh file is read in single precision. Fails if the rounding step is larger
- * than the clearance that sensors must keep from surfaces, because visibility
- * is then unknown. Warns if the step is a noticeable share of the extent of the
- * mesh. */
+/* The vertices of a mesh are stored in single precision. Fails if the rounding
+ * step at the largest coordinate exceeds the clearance that candidate sites of
+ * sensors must keep from surfaces, because visibility is then unknown; not if
+ * the scene has no sensors or the clearance is 0. Otherwise warns if the step
+ * is more than STEP_WARNED of the extent of the mesh. */
 static murk_status check_step(const murk_scene_desc *scene,
                               const murk_mesh *mesh, const murk_mesh_file *file,
                               murk_error *err)
 {
-    /* The step, the clearance and the extent, all in world units. */
+    /* The clearance, the step and the longest edge of the bounding box, all
+     * after the scale of the mesh. */
     const double clearance_m =
         scene->sensors.given ? scene->sensors.candidates.clearance_m : 0;
     const double step_m = mesh->step_m * file->scale;
@@ -83,15 +88,16 @@ static murk_status check_step(const murk_scene_desc *scene,
     return MURK_OK;
 }
 
-/* The number of items of the list of mesh files that the light depends on; they
- * come first. */
+/* The number of those items in the list of mesh files (world/mesh_files.h) that
+ * the light depends on, geometry and regions; these items come first. */
 static size_t lit_meshes(const murk_scene_desc *scene)
 {
     return scene->geometries + scene->n_regions;
 }
 
-/* Imports the mesh files [first, last). Those that the light depends on enter
- * the light key, and their precision is checked. */
+/* Imports the mesh files of the items [first, last) of the list of
+ * world/mesh_files.h. For files that the light depends on, the checksum is
+ * appended to the light key, and the step of single precision is checked. */
 static murk_status import_meshes(murk_stage *stage, size_t first, size_t last,
                                  murk_error *err)
 {
@@ -114,8 +120,9 @@ static murk_status import_meshes(murk_stage *stage, size_t first, size_t last,
     return status;
 }
 
-/* Imports the meshes and grids that the light depends on and appends their
- * checksums to the light key. make_phases() appends those of tables. */
+/* Imports the meshes and grids that the light depends on and appends the
+ * checksums of their files to the light key. make_phases() appends the
+ * checksums of tables of phase functions. */
 static murk_status import_world(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -132,9 +139,10 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     return status ? status : murk_fillings_create(&stage->fillings, scene, err);
 }
 
-/* Borrows the meshes and grids of another stage and copies their checksums.
- * That stage must not be built yet: building appends the checksums of
- * tables. */
+/* Borrows the meshes of geometry and regions and the fillings of the stage
+ * `other`, and copies the checksums of these files from its light key. `other`
+ * must not be built yet, because building appends the checksums of tables of
+ * phase functions. */
 static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
                                 murk_error *err)
 {
@@ -153,7 +161,8 @@ static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
     return MURK_OK;
 }
 
-/* Reads the phase functions; tables in files enter the light key. */
+/* Builds the phase functions; checksums of tables in files are appended to the
+ * light key. */
 static murk_status make_phases(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -229,8 +238,9 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
 static murk_status build_lights(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    /* The path to a portal is taken to be straight, but refraction would bend
-     * it. */
+    /* If the media continue outside, light passes through them on the way to a
+     * portal. This way is taken to be straight, but a change of the index of
+     * refraction would bend it: such scenes are refused. */
     for (size_t i = 0; i < scene->n_lights; ++i) {
         if (scene->lights[i].portals > 0 && scene->continues &&
             murk_media_bends(stage->media)) {
@@ -265,7 +275,7 @@ murk_status murk_stage_import_beside(murk_stage **out,
     if (!stage) {
         return murk_no_memory(err, scene->path, "for the world");
     }
-    /* Allocate; messages about positions use the origin of the scene. */
+    /* Allocate. The origin of the scene is set for positions in messages. */
     stage->scene = scene;
     murk_position_origin(scene->origin);
     const size_t meshes = murk_mesh_files_count(scene);
@@ -304,7 +314,7 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
     murk_position_origin(scene->origin);
-    /* Build each part from those before it. */
+    /* Build each part; later parts use earlier ones. */
     murk_status status = make_phases(stage, err);
     if (!status) {
         status = murk_extent_domain(&stage->world.domain, scene, stage->mesh,
@@ -373,7 +383,8 @@ void murk_stage_destroy(murk_stage *stage)
     murk_phases_destroy(stage->phases);
     murk_boundary_meshes_destroy(stage->boundary_meshes);
     murk_surfaces_destroy(stage->surfaces);
-    /* A borrowing stage owns the meshes of goals and zones alone. */
+    /* Of the meshes, a stage that borrows owns only those of goals and zones.
+     */
     size_t i = stage->borrows ? lit_meshes(stage->scene) : 0;
     for (; stage->mesh && i < murk_mesh_files_count(stage->scene); ++i) {
         murk_mesh_destroy(stage->mesh[i]);

@@ -56,7 +56,8 @@ murk_status murk_stage_media(murk_media **out, const murk_stage *stage,
     for (size_t i = 0; i < scene->n_media; ++i) {
         medium[i] = medium_of(scene, i, fillings, phases);
     }
-    /* Convert the regions; the box of a mesh is that of the boundary mesh. */
+    /* Convert the regions. A region that is a mesh gets the bounding box of its
+     * boundary mesh. */
     for (size_t i = 0; i < scene->n_regions; ++i) {
         region[i] = region_of(&scene->regions[i]);
         if (region[i].shape == MURK_REGION_MESH) {

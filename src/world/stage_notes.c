@@ -1,6 +1,7 @@
-/* Warns of settings that are valid but probably not meant, among them geometry
- * and regions that reach out of the domain, media that touch an open side under
- * sun or sky, portals that face away from their light, a dark scene. */
+/* Warns of settings that are valid but probably not meant: among others,
+ * geometry and regions that reach out of the domain, media that touch an open
+ * side of the domain if there is distant light, portals that face away from
+ * their light source, and a scene without any light. */
 #include "world/stage_build.h"
 
 #include "base/log.h"
@@ -9,7 +10,8 @@
 #include "world/extent.h"
 #include "world/mesh_materials.h"
 
-/* Warns if an item reaches out of the domain. */
+/* Warns if the box of an item reaches out of the domain; not if the box is
+ * empty. */
 static void warn_if_cut(const char *where, const murk_box *box,
                         const murk_box *domain)
 {
@@ -23,9 +25,10 @@ static void warn_if_cut(const char *where, const murk_box *box,
     }
 }
 
-/* Light is not refracted in a side of the domain. In a periodic domain a region
- * with an index that reaches one side but not the opposite one is joined to the
- * other index without refraction: warn. */
+/* Warns if a region with an index of refraction reaches one side in x or y of a
+ * periodic domain but not the opposite side. Light that leaves through the one
+ * side and comes in again through the other then changes its index without
+ * being refracted, because light is not refracted in a side of the domain. */
 static void warn_if_cut_once(const murk_stage *stage,
                              const murk_scene_region *r, const murk_box *box)
 {
@@ -62,7 +65,7 @@ static void warn_of_cuts(const murk_stage *stage)
     }
 }
 
-/* True if a region reaches any side of the domain. */
+/* True if region i, or its bounding box, reaches any side of the domain. */
 static bool touches_sides(const murk_stage *stage, size_t i)
 {
     const murk_scene_region *r = &stage->scene->regions[i];
@@ -80,7 +83,7 @@ static bool touches_sides(const murk_stage *stage, size_t i)
            box.min.z <= domain->min.z || box.max.z >= domain->max.z;
 }
 
-/* Notes of suns and moons that are not above the horizon. */
+/* Prints a note for each sun and moon that is not above the horizon. */
 static void note_of_set(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -98,8 +101,8 @@ static void note_of_set(const murk_stage *stage)
     }
 }
 
-/* Notes of portals that no light of an emitting source passes, because they
- * face away from it. */
+/* Prints a note for each portal of a source with power that no light of this
+ * source passes, because the portal faces away from the light. */
 static void note_of_portals(const murk_stage *stage)
 {
     for (size_t i = 0; i < murk_sources_count(stage->lights); ++i) {
@@ -129,9 +132,10 @@ static void note_of_dark(const murk_stage *stage)
     }
 }
 
-/* A medium that touches an open side usually continues outside. Unless
- * domain.outside is continued, light of sun and sky is not attenuated outside
- * the domain: warn. */
+/* Warns of regions that touch a side of a domain that is not periodic, if there
+ * is distant light and any medium. A medium that touches a side usually
+ * continues outside, but unless domain.outside is continued, distant light is
+ * not attenuated outside the domain. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -155,9 +159,9 @@ static void warn_of_lit_sides(const murk_stage *stage)
     }
 }
 
-/* Warns of wind speeds outside the range of the measured slopes
- * (medium/waves.h), and of refracted sightlines, which take the surface as
- * level. */
+/* For each region with wind, warns if the wind speed is outside the range in
+ * which the slopes of waves were measured (medium/waves.h), and if sightlines
+ * are refracted, because these take the water surface to be level. */
 static void warn_of_winds(const murk_scene_desc *scene)
 {
     for (size_t i = 0; i < scene->n_regions; ++i) {

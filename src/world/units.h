@@ -17,8 +17,8 @@
 typedef struct murk_units {
     const char *power;      /* "W", "lm", "1/s", "umol/s" */
     const char *irradiance; /* "W/m2", "lux", "1/s/m2", "umol/s/m2" */
-    const char *suffix;     /* suffix of JSON keys of power, such as emitted_lm:
-                             * "w", "lm", "photons_per_s", "umol_per_s" */
+    const char *suffix;     /* "w", "lm", "photons_per_s", "umol_per_s": the
+                             * end of JSON keys of power, such as emitted_lm */
 } murk_units;
 
 murk_units murk_units_of(murk_quantity quantity);
@@ -28,19 +28,21 @@ murk_units murk_units_of(murk_quantity quantity);
 double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
                            size_t light, int band);
 
-/* Converts the power of photon packets, packet_w[lights * bands], ordered by
- * light source, into out[lights * bands] in the quantity. Passed to
- * murk_tallies_read() in place of watts, out makes tallies and their errors
- * come out in the quantity. */
+/* Converts the power of photon packets, packet_w[lights * bands], all bands of
+ * the first light source first, into out[lights * bands] in the unit
+ * murk_units.power of the quantity. If out is passed to murk_tallies_read() as
+ * packet_w, tallies and their errors are in the quantity. */
 void murk_units_packets(double *out, murk_quantity quantity,
                         const murk_stage *stage, const double *packet_w);
 
-/* The sum of n estimates of different bands. Each band has its own photons, so
- * the errors are independent. */
+/* The sum of n estimates of different bands, value[n]. Each band has its own
+ * photons, so the errors are independent and the squares of the standard errors
+ * add up. */
 murk_estimate murk_units_sum(const murk_estimate *value, int n);
 
-/* Prints a note that lists the bands whose light, even in wavelength, counts 0
- * in the quantity: light that eyes or plants do not detect. */
+/* Prints a note that lists the bands whose light, if even in wavelength, counts
+ * 0 in the quantity of the scene: light that eyes or plants do not detect.
+ * Prints nothing if there is no such band. */
 void murk_units_note(const murk_scene_desc *scene);
 
 #endif
