@@ -1,8 +1,8 @@
 /* Greedy next best view with path planning over the places seen so far
  * (plan/explore.h describes the method and cites the source). Gains are
  * evaluated lazily (placement/lazy_greedy.h), and so is the number of places
- * that a pose brings into view: both can only decrease while more is seen, so
- * the last known value is an upper bound. */
+ * that a pose brings into view. Both can only decrease while stations are
+ * added, so the last known value of each is an upper bound. */
 #include "plan/explore.h"
 
 #include "base/interrupt.h"
@@ -16,9 +16,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Poses whose view is computed between two comparisons with the best pose so
- * far. The number is fixed, so the set of computed views does not depend on the
- * number of threads; 32 poses occupy the threads of a large machine. */
+/* The largest number of poses whose views are computed, in parallel, between
+ * two comparisons with the best pose so far. The number is fixed, so the set of
+ * computed views does not depend on the number of threads; 32 poses occupy the
+ * threads of a large machine. */
 #define CHUNK 32
 
 typedef struct exploring {
@@ -35,15 +36,16 @@ typedef struct exploring {
                           * each pose brings into view */
     murk_ranked *ranked; /* [poses]; sorted by that bound */
     uint32_t chunk[CHUNK];
-    uint32_t here; /* place of the last station */
+    uint32_t here; /* place at which the path ends so far */
 } exploring;
 
 /* ---- candidates for the next station ---- */
 
 /* Fills e->open with the poses that may be added and returns their number.
- * Before the first station these are poses at the start, later poses at places
- * that were seen and are connected to the start. *seen is the number of poses
- * at these places, including poses of the plan. */
+ * While the path has no stop, these are poses at the start, later poses at
+ * places that were seen and are connected to the start (plan/explored.h). *seen
+ * is the number of all candidates at these places, also of those that the
+ * constraints do not admit or that the plan already has. */
 static size_t gather(exploring *e, size_t *seen)
 {
     size_t n = 0;
@@ -71,10 +73,11 @@ static void count_opened(void *context, uint64_t batch)
         &e->explored, &e->poses->pose[j], e->poses->site[j]);
 }
 
-/* Finds the pose that brings most places into view; false if none brings any.
- * The count of places of a pose only decreases while more is seen, so poses are
- * evaluated in falling order of their last known count until the best count
- * cannot be exceeded. Ties go to the pose with the lowest index. */
+/* Finds among e->open[n] the pose that brings most places into view
+ * (murk_explored_opens()); false if none brings any. The count of places of a
+ * pose only decreases while stations are added, so poses are evaluated in
+ * falling order of their last known count until the best count cannot be
+ * exceeded. Ties go to the pose with the lowest index. */
 static bool find_opener(exploring *e, size_t n, uint32_t *next)
 {
     /* Sort by the upper bounds. */
@@ -83,8 +86,8 @@ static bool find_opener(exploring *e, size_t n, uint32_t *next)
     }
     murk_ranked_sort(e->ranked, n);
     murk_ranked best = {0, 0};
-    /* Evaluate a chunk of poses that may exceed the best, or equal it with a
-     * lower index. */
+    /* Evaluate chunks of poses whose upper bound exceeds the best count, or
+     * equals the best count with a lower index, until no such pose is left. */
     for (size_t at = 0; at < n && !murk_interrupted();) {
         size_t taken = 0;
         while (at < n && taken < CHUNK &&
@@ -113,8 +116,8 @@ static bool find_opener(exploring *e, size_t n, uint32_t *next)
 
 /* ---- steps ---- */
 
-/* Appends the shortest path from the current place to `place` and makes it the
- * current place. */
+/* Appends the path from the place e->here to `place`, whose length becomes
+ * *length_m, and sets e->here to `place`. */
 static murk_status go_to(exploring *e, uint32_t place, double *length_m,
                          murk_error *err)
 {
@@ -126,8 +129,9 @@ static murk_status go_to(exploring *e, uint32_t place, double *length_m,
     if (status) {
         return status;
     }
-    const size_t first = out->stops > 0; /* the first stop is the current place,
-                                          * already in the list */
+    const size_t first = out->stops > 0; /* the first stop of the path is left
+                                          * out if the list has stops: it is the
+                                          * last of these */
     murk_vec3 *stop =
         realloc(out->stop, (out->stops + stops + 1) * sizeof *stop);
     if (stop) {
@@ -175,9 +179,9 @@ static murk_status take(exploring *e, uint32_t j, bool is_gone_to,
     return MURK_OK;
 }
 
-/* Finds the next station; if there is none, sets out->end and returns false.
- * The first pose at the start is the next station even if nothing is gained
- * there. */
+/* Finds the next station; if there is none, sets out->end and returns false. If
+ * the path has no stop yet and no pose at the start brings a gain, the next
+ * station is the first pose that may be added there. */
 static bool choose(exploring *e, uint32_t *next)
 {
     uint64_t gain = 0;
@@ -195,13 +199,13 @@ static bool choose(exploring *e, uint32_t *next)
     }
     *next = e->open[0];
     e->out->end = MURK_EXPLORE_NOTHING;
-    return e->out->stops == 0; /* the start is a station even if nothing is
-                                * gained there */
+    return e->out->stops == 0; /* there is a station at the start even if
+                                * nothing is gained there */
 }
 
-/* Adds the fixed sensors to the plan. Without start_m the path begins here, at
- * the first fixed sensor; with start_m the path begins later, with the first
- * station. */
+/* Adds the fixed sensors to the plan. If the scene gives no start_m, this
+ * function also begins the path, at the first fixed sensor; with start_m the
+ * path begins later, with the first station. */
 static murk_status begin(exploring *e, bool has_start, murk_error *err)
 {
     double none;
@@ -309,8 +313,8 @@ static murk_status fill(murk_place_result *place, const exploring *e,
     return MURK_OK;
 }
 
-/* Allocates; the upper bounds on the places that poses bring into view start at
- * UINT32_MAX. */
+/* Allocates. The upper bounds e->opens on the numbers of places that poses
+ * bring into view start at UINT32_MAX. */
 static murk_status allocate(exploring *e, murk_error *err)
 {
     const size_t n = e->poses->count + 1;

@@ -1,6 +1,6 @@
 /* Upper bounds on the value of any plan over all candidates, for comparison
- * with a plan that was explored. They are the bounds that greedy placement
- * computes (placement/place.h) when all candidates are known. */
+ * with a plan that was found by exploration. Greedy placement
+ * (placement/place.h), which knows all candidates, computes the bounds. */
 #include "plan/explore.h"
 
 #include <assert.h>
@@ -16,12 +16,12 @@ static bool has_min(const murk_constraints *constraints)
     return sum > 0;
 }
 
-/* Bounds the plans of desc->count sensors and of every smaller number: greedy
- * placement returns a bound for each number, unless there is a budget. The plan
- * at an intermediate station need not meet minimum counts yet, so intermediate
- * numbers are bounded without minimum counts and the last number with them.
- * *fewest is the smallest number of the first curve, a lower bound on the
- * number of sensors of a plan; 0 without a curve. */
+/* Bounds the plans of desc->count sensors, and without a budget also those of
+ * each smaller number (out->curve). The plan at an intermediate station need
+ * not meet minimum counts of types yet, so smaller numbers are bounded without
+ * minimum counts and desc->count with them. *fewest is the smallest number in
+ * the curve with minimum counts, a lower bound on the number of sensors of a
+ * plan that meets them; 0 without a curve. */
 static murk_status bound_all(murk_place_result *out, size_t *fewest,
                              const murk_problem *problem,
                              const murk_matrix *matrix,
@@ -56,8 +56,9 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
     return later;
 }
 
-/* Computes the rows of all candidates, in a matrix if max_bytes allow, and the
- * bounds. */
+/* Computes the bounds from the rows of all candidates. The rows are stored in a
+ * matrix; if the matrix would exceed max_bytes, each row is asked of the
+ * problem when it is needed. */
 static murk_status bound_by_rows(murk_place_result *out, size_t *fewest,
                                  const murk_problem *problem,
                                  const murk_place_desc *desc,
@@ -73,8 +74,10 @@ static murk_status bound_by_rows(murk_place_result *out, size_t *fewest,
     return status;
 }
 
-/* Replaces the values of the curve by those of the stations in their order, and
- * finds the smallest number of sensors whose bound reaches the target. */
+/* Replaces the value at each number n of sensors in the curve by that of the
+ * first n stations, fixed sensors included. Sets all->fewest to the smallest
+ * number in the curve that is at least `fewest` and whose upper bound reaches
+ * the target; 0 if there is none, and without a target. */
 static void take_values(murk_place_result *all, const murk_explore *explore,
                         uint64_t target, size_t fewest)
 {
@@ -97,7 +100,7 @@ murk_status murk_explore_bound(murk_place_result *place,
 {
     assert(desc->constraints);
     /* Greedy placement over all candidates, for the number of sensors of the
-     * plan, or with a budget for the same maximum. */
+     * explored plan, or with a budget for the maximum number desc->count. */
     murk_place_desc greedy = *desc;
     murk_place_result all = {0};
     const bool has_budget = desc->constraints->budget > 0;
@@ -112,8 +115,8 @@ murk_status murk_explore_bound(murk_place_result *place,
         murk_place_release(&all);
         return status;
     }
-    /* Take over the bounds; the plan keeps the value and the sensors of the
-     * stations. */
+    /* Take over the bounds; *place keeps the value and the sensors of the
+     * explored plan. */
     take_values(&all, explore, desc->target, fewest);
     place->upper = all.upper;
     place->proven_optimal = place->value == place->upper;

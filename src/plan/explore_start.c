@@ -1,6 +1,7 @@
 /* The place where exploration begins: usable sites are tested in the order of
- * their distance from start_m until one is visible from start_m in a straight
- * line; without start_m exploration begins at the first fixed sensor. */
+ * their distance from the point start_m of the scene until an open straight
+ * segment joins one of them to start_m; without start_m exploration begins at
+ * the first fixed sensor. */
 #include "base/interrupt.h"
 #include "base/position.h"
 #include "base/sort.h"
@@ -22,7 +23,9 @@ static int by_distance(const void *a, const void *b)
     return order ? order : MURK_ORDER(x->place, y->place);
 }
 
-/* Finds the nearest visible site; false if there is none. */
+/* Finds the nearest usable site that an open straight segment joins to `from`;
+ * false if there is none, or if the run is interrupted. order[sites->usable] is
+ * a workspace. */
 static bool find_nearest(uint32_t *start, murk_outlook *outlook,
                          const murk_candidates *sites, far_place *order,
                          murk_vec3 from)
@@ -49,7 +52,7 @@ murk_status murk_explore_start(uint32_t *start, const murk_stage *stage,
     const murk_scene_placement *settings = &stage->scene->placement;
     const murk_domain *domain = &stage->world.domain;
     const murk_vec3 x = settings->start;
-    /* Without start_m, begin at the first fixed sensor. */
+    /* Without start_m, begin at the first fixed sensor, which must exist. */
     if (!settings->has_start && poses->fixed == 0) {
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "start_m: not given, but knowledge is explore, which "

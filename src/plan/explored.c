@@ -6,8 +6,8 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Seen places that a path is searched over, besides those that are always used.
- * There are some 2e6 steps between 2000 places. */
+/* The largest number of seen places that a path is searched over, besides those
+ * that are always used. There are some 2e6 pairs of 2000 places. */
 #define PATH_PLACES_MAX 2000
 
 murk_status murk_explored_init(murk_explored *out, const murk_sight_desc *sight,
@@ -59,7 +59,7 @@ static uint32_t root_of(const murk_explored *e, uint32_t place)
     return place;
 }
 
-/* The same, and shortens the chain of parents for later calls. */
+/* Returns root_of(), and shortens the chain of parents for later calls. */
 static uint32_t find_root(murk_explored *e, uint32_t place)
 {
     const uint32_t root = root_of(e, place);
@@ -121,9 +121,9 @@ size_t murk_explored_opens(murk_explored *e, const murk_pose *pose,
     return n;
 }
 
-/* Lists, in rising order, the places that a path may lead over: both ends,
- * places that are always used, and every `each`-th of the other seen places in
- * the same set. */
+/* Lists, in rising order, the places that a path may lead over: both ends, and
+ * of the seen places in the set of `from` those that are always used and every
+ * `each`-th of the others. Returns the number of places in the list. */
 static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
                           uint32_t *list)
 {
@@ -133,7 +133,7 @@ static size_t list_places(const murk_explored *e, uint32_t from, uint32_t to,
         free_ones +=
             e->is_seen[k] && !e->is_always_used[k] && root_of(e, k) == root;
     }
-    /* Thin the places that need not be used. */
+    /* Of the places that are not always used, list PATH_PLACES_MAX at most. */
     const size_t each =
         free_ones > PATH_PLACES_MAX
             ? (free_ones + PATH_PLACES_MAX - 1) / PATH_PLACES_MAX

@@ -58,7 +58,8 @@ bool murk_thin_map_text(char *out, size_t size, const murk_scene_desc *scene,
     if (p < 0) {
         return false;
     }
-    /* The share of the variance is not finite if neither map has an error. */
+    /* The share of the variance is NaN if neither map has a standard error
+     * above 0; the text then leaves the share out. */
     const double variance = murk_map_variance_share(coverage, p);
     char error[64] = "";
     if (isfinite(variance)) {

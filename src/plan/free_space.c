@@ -21,8 +21,9 @@ static bool is_same(murk_vec3 a, murk_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Appends the centre of a portal unless it is in the list already: sun and sky
- * usually share their portals. */
+/* Appends the centre of a portal to place[n], unless this point is among
+ * place[first .. n - 1] already: sun and sky usually share their portals.
+ * Returns the new number of places. */
 static size_t add_portal(murk_vec3 *place, size_t first, size_t n,
                          const murk_portal *portal)
 {
@@ -52,7 +53,7 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
     if (!place) {
         return murk_no_memory(err, where, "for the lamps' places");
     }
-    /* Lamps, and whether any light is distant. */
+    /* The positions of lamps, and whether any light source is distant. */
     murk_reach reach = {.lamps = place, .domain = stage->world.domain};
     for (size_t i = 0; i < n; ++i) {
         if (murk_sources_place(lights, i, &place[reach.n_lamps])) {
@@ -82,9 +83,9 @@ murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
 #define POINTS_EACH 16
 #define POINTS_ALL  4096
 
-/* Fills *out with a grid over the grid of candidates, not finer than
- * POINTS_EACH points on an axis. False if the scene has no such grid in the
- * domain. */
+/* Fills *out with a grid of at most POINTS_EACH points on each axis over the
+ * grid of candidates of the scene. Returns false if the scene gives no grid of
+ * candidates, or if that grid does not lie in the domain. */
 static bool grid_of_sensors(const murk_stage *stage, murk_candidate_grid *out)
 {
     const murk_scene_candidates *settings = &stage->scene->sensors.candidates;
@@ -133,7 +134,8 @@ typedef struct job {
     murk_tally inside, free;
 } job;
 
-/* Tests the points of one layer of cells. */
+/* Tests the random points of all cells of one layer (equal z), and adds to the
+ * numbers of points inside the part and of points in free space. */
 static void ask(void *context, uint64_t layer)
 {
     job *j = context;

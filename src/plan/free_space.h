@@ -1,7 +1,7 @@
 /* The free space of a scene: whether light can reach a point
- * (sensing/open_space.h), by one grid over the domain and one over the grid of
- * candidates that the scene gives; the share of a box or a ball that is free;
- * and the places through which light enters. */
+ * (sensing/open_space.h), by one grid over the domain and, if the scene gives a
+ * grid of candidates within the domain, a second grid over that; the share of a
+ * box or a ball that is free; and the places through which light enters. */
 #ifndef MURK_PLAN_FREE_SPACE_H
 #define MURK_PLAN_FREE_SPACE_H
 
@@ -11,13 +11,14 @@
 #include "world/stage.h"
 
 /* The places through which light enters the free space of a scene: lamps,
- * portals, and the open sides of the domain for sun, sky and directional light.
- * Candidate sites are usable if light can reach them from there
- * (sensing/candidates.h). Sources that do not emit at the time of the scene are
- * included, because the usable sites should not depend on the hour.
+ * portals, and the open sides of the domain for distant light (sun, moon, sky
+ * and directional light). Candidate sites are usable only if light can reach
+ * them from these places (sensing/candidates.h). Sources that do not emit at
+ * the time of the scene are included, because the usable sites should not
+ * depend on the hour.
  *
- * Sets *out. *places is the array that out->lamps points to; the caller owns
- * it: free(). where is the place in the scene for an out-of-memory message. */
+ * Sets *out. *places is the array that out->lamps points to; the caller frees
+ * *places with free(). Fails with MURK_NO_MEMORY at `where`. */
 murk_status murk_entrances(murk_reach *out, murk_vec3 **places,
                            const murk_stage *stage, const char *where,
                            murk_error *err);
@@ -37,10 +38,11 @@ typedef struct murk_part {
 } murk_part;
 
 /* The share (0..1) of the part that lies in free space, by stratified sampling:
- * one random point in each of equal cells. The stated error is that of
- * independent points, an upper bound. space NULL means that nothing obstructs
- * the part: the share is 1. If no random point lies in a ball, the share is 0.
- */
+ * part->box is divided into equal cells with one random point in each, and of a
+ * ball only the points inside count. The standard error is that of independent
+ * points, an upper bound for stratified points. space NULL means that nothing
+ * obstructs the part: the share is 1. If no random point lies in a ball, the
+ * share is 0. */
 murk_estimate murk_free_share(const murk_part *part,
                               const murk_open_space *space, uint32_t seed,
                               unsigned threads);

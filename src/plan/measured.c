@@ -1,6 +1,6 @@
 /* Measures given sensors: creates the sight onto the light or the targets, then
- * sums coverage, the losses without each sensor and the coverage with random
- * errors of position and direction. */
+ * measures coverage, the coverage without each sensor, the links between
+ * sensors, and the coverage with random errors of position and direction. */
 #include "plan/measured.h"
 
 #include "plan/few_photons.h"
@@ -26,7 +26,7 @@ murk_status murk_measured_make(murk_measured *out, murk_sight **sight,
         status =
             murk_goals_check_seen(stage->goals, murk_goals_seen(*sight), err);
     }
-    /* Coverage, robustness and jitter. */
+    /* Coverage; coverage without each sensor, and links; random errors. */
     if (!status) {
         status = murk_coverage_result_measure(&out->coverage, *sight, sensor, n,
                                               err);

@@ -6,15 +6,16 @@
 #include "plan/plan.h"
 
 typedef struct murk_measured {
-    murk_target_facts targets; /* points 0: the scene has none */
+    murk_target_facts targets; /* points 0: the scene has no targets, or there
+                                * is nothing to see */
     murk_coverage_result coverage;
     murk_robust robust;
 } murk_measured;
 
-/* Measures n sensors. *sight is the sight that measured them, to be destroyed
- * by the caller also after a failure; NULL after a failure to create it, and if
- * there is nothing to see (murk_stage_has_nothing_to_see()): all coverage is
- * then NaN. Release *out also after a failure. */
+/* Measures sensor[n]. *sight is the sight by which they are measured; the
+ * caller destroys *sight also after a failure. *sight is NULL if it cannot be
+ * created, or if there is nothing to see (murk_stage_has_nothing_to_see()); in
+ * the second case all coverage is NaN. Release *out also after a failure. */
 murk_status murk_measured_make(murk_measured *out, murk_sight **sight,
                                const murk_stage *stage,
                                const murk_traced *traced,

@@ -35,8 +35,8 @@ static murk_status allocate(reading *r, size_t n, murk_error *err)
 /* The numbers of a sensor in a file; angles are NAN if the file gives none. */
 enum { X, Y, Z, HEADING, TILT, NUMBERS };
 
-/* Checks a sensor, converts it from the coordinates of the user and stores it
- * as number i. */
+/* Checks a sensor, converts its position from the coordinates of the user to
+ * those of the scene structs, and stores the sensor as number i. */
 static murk_status add_sensor(reading *r, size_t i, const char *where,
                               const char *type, const double p[NUMBERS],
                               murk_error *err)
@@ -62,7 +62,7 @@ static murk_status add_sensor(reading *r, size_t i, const char *where,
                          murk_position_show(local).text);
     }
     r->sensor[i] = (murk_pose){.type = (uint32_t)k, .position = local};
-    /* A type with a view needs a heading and a tilt. */
+    /* A type that does not see all round needs a heading and a tilt. */
     if (settings->type[k].view == MURK_VIEW_SPHERE) {
         return MURK_OK;
     }

@@ -32,8 +32,8 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
     return desc;
 }
 
-/* Fails where murk_sight_create() would fail after light is traced: acceptance
- * angles and the radius of `detection: power`. */
+/* Fails if murk_sight_create() would fail, after light is traced, because of
+ * acceptance angles or the radius of `detection: power`. */
 static murk_status check_sensing(const murk_stage *stage, murk_error *err)
 {
     const murk_scene_sensors *settings = &stage->scene->sensors;
@@ -57,7 +57,8 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
     const murk_scene_sensors *settings = &stage->scene->sensors;
     const bool by_power = murk_detection_is(stage->scene->placement.detection,
                                             MURK_DETECTION_BY_POWER);
-    /* Sensors, their number, and stored photons must be there. */
+    /* Sensors; a count, a target or a budget; and stored photons if they are
+     * needed must be there. */
     if (!settings->given) {
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->path,
                          "sensors: the scene has none");
@@ -129,8 +130,8 @@ void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight)
     plan->totally_reflected += work.totally_reflected;
 }
 
-/* Explores with a cache of coverage rows, then computes bounds. The queries of
- * the bounds do not count for the explorer. */
+/* Explores with a cache of coverage rows, then computes bounds. The queries
+ * that the bounds need do not count as work of choosing. */
 static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
                            murk_sight *sight, const murk_problem *problem,
                            murk_place_desc *desc, murk_error *err)
@@ -153,17 +154,19 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
     return status;
 }
 
-/* Candidates that the forecast evaluates, and sweeps of one start (rough
- * figures): SPOQ sweeps until a sweep brings no gain, and relocation follows.
- */
+/* The number of candidates that the forecast evaluates at most, and the assumed
+ * number of sweeps over the sensors of one start. Both are rough figures: the
+ * method SPOQ (placement/place.h) sweeps until a sweep brings no gain, and
+ * relocation follows. */
 #define FORECAST_CANDIDATES 16
 #define FORECAST_SWEEPS     4
 
-/* With `method: best` in an unknown environment and a given count of at least
- * 2: forecasts the work from the rays and the time of a sample of candidates,
- * for as many starts as are made if none brings a gain, and prints it beside
- * the work in a known environment. The queries and rays of the sample are not
- * part of the work of the plan (murk_plan_add_work()). */
+/* For `method: best` in an unknown environment, with a count of at least 2 and
+ * without a target: forecasts the work from the rays and the time of a sample
+ * of candidates, for as many starts as are made if no start brings a gain, and
+ * prints the forecast beside the work in a known environment. The queries and
+ * rays of the sample are not part of the work of the plan
+ * (murk_plan_add_work()). */
 static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_problem *problem,
                              const murk_place_desc *desc)
@@ -247,8 +250,8 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status && at_least) {
-        /* At_least counts photons that enough sensors see, so the target is a
-         * share of the weights alone. */
+        /* murk_place_at_least() counts photons that enough sensors see, so the
+         * target is a share of the sum of the weights, without redundancy. */
         desc.target =
             murk_plan_value_of(stage->scene->sensors.target,
                                &(murk_problem){.photons = problem->photons,

@@ -15,15 +15,16 @@
 #include "sensing/sight.h"
 #include "world/stage.h"
 
-/* Creates the sight of the sensors of a stage: onto the traced light, or onto
- * targets if the scene has targets (those of the stream of the light). Borrows
- * the stage and the light. */
+/* Creates the sight (sensing/sight.h) of the sensors of a stage: onto the
+ * records of the traced light, or onto targets if the scene has targets (those
+ * of the random stream of the light). Borrows the stage and the light. Fails as
+ * murk_targets_create() or murk_sight_create(). */
 murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             const murk_traced *traced, unsigned threads,
                             murk_error *err);
 
-/* The same; also returns the properties of the targets (points 0: the scene has
- * none). */
+/* As murk_plan_sight(); *facts receives the properties of the targets (points
+ * 0: the scene has none). */
 murk_status murk_plan_sight_and_targets(murk_sight **out,
                                         murk_target_facts *facts,
                                         const murk_stage *stage,
@@ -32,8 +33,9 @@ murk_status murk_plan_sight_and_targets(murk_sight **out,
 
 /* Creates the sight of the sensors onto given points, which are records of two
  * maps with photon numbers below `numbers`. Range, view, sightlines, media and
- * threshold apply as for photons. Arrival direction, detection by power,
- * weights and regions of interest do not apply. Borrows all arguments. */
+ * threshold apply as for photons. Arrival direction, detection by power, and
+ * the weights, redundancy and regions of interest of the scene do not apply.
+ * Borrows the stage and the maps. Fails as murk_sight_create(). */
 murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
                                    const murk_photon_map *surface,
                                    const murk_photon_map *volume,
@@ -50,19 +52,21 @@ double murk_plan_power_radius_m(const murk_stage *stage);
  * for a fixed radius and for other modes of detection. */
 size_t murk_plan_power_neighbours(const murk_stage *stage);
 
-/* The smallest value (weight * clarity) of a plan that covers the given share,
- * 0..1, of the whole. A share that equals a value up to rounding means that
- * value. */
+/* The smallest value (coverage in units of weight * clarity) that is at least
+ * the given share, 0..1, of the whole, which is the value if every photon
+ * counts fully. If share times whole is an integer up to rounding, the result
+ * is that integer. */
 uint64_t murk_plan_value_of(double share, const murk_problem *problem);
 
-/* The number of sensors that must see each photon of the target (key at_least);
- * 0 if the scene has no target or does not ask. */
+/* The number of sensors that must see a photon before the photon counts towards
+ * the target (key at_least); 0 if the scene has no target or no such key. */
 size_t murk_plan_at_least(const murk_scene_desc *scene);
 
-/* Checks the settings of the sensors that do not depend on candidates: sensors
- * are given, photon maps (if sensors cover or need photons), a count, a target
- * or a budget, acceptance angles, the radius of `detection: power`, and the
- * targets. */
+/* Checks those settings of the sensors that do not depend on candidates. Fails
+ * with MURK_BAD_VALUE if the scene has no sensors, if it gives neither a count
+ * nor a target nor a budget, or if it stores no photon maps although sensors
+ * cover photons or detect by power; and if acceptance angles, the radius of
+ * `detection: power` or the targets would make a later step fail. */
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
@@ -77,14 +81,15 @@ uint64_t murk_plan_matrix_bytes(void);
 #define MURK_HELD_OUT_STREAM 1u
 #define MURK_CONFIRM_STREAM  2u
 
-/* Traces light of another stream. If targets replace photons, returns light
- * without photons, unless detection depends on the light (detection: power). */
+/* Traces the light of a stream. If targets replace photons, returns light
+ * without photons, unless detection depends on the light (detection: power).
+ * The caller owns *out (murk_traced_destroy()). */
 murk_status murk_plan_trace_stream(murk_traced **out, const murk_stage *stage,
                                    uint32_t stream, unsigned threads,
                                    murk_error *err);
 
-/* True if another stream has other photons or targets: a list of targets is the
- * same in all streams. */
+/* True if sensors cover other photons or targets in another stream; false if
+ * the targets are a list, because a list is the same in all streams. */
 bool murk_plan_has_streams(const murk_scene_desc *scene);
 
 typedef struct murk_plan_result {
@@ -98,7 +103,8 @@ typedef struct murk_plan_result {
     murk_explore explore;      /* with knowledge: explore, the steps; else empty
                                 */
     murk_pose *sensor;         /* [place.count] */
-    murk_target_facts targets; /* points 0: the plan covers photons */
+    murk_target_facts targets; /* points 0: the plan covers photons, or there is
+                                * nothing to see */
     bool is_dark;              /* there is nothing to see
                                 * (murk_stage_has_nothing_to_see()), so all
                                 * coverage is NaN (plan/dark.c) */
@@ -126,22 +132,25 @@ typedef struct murk_plan_result {
 
 /* Checks the settings of the sensors before light is traced
  * (murk_plan_check()), and fills the candidates and poses of the plan, the
- * settings of `detection: power`, and with knowledge: explore the start. */
+ * settings of `detection: power`, and with knowledge: explore the start. Fails
+ * as murk_plan_check() and as the functions that find sites, poses and the
+ * start. */
 murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err);
 
-/* The plan of a stage that has nothing to see
- * (murk_stage_has_nothing_to_see()): the fixed sensors and no others, because
- * no candidate is better than another. */
+/* Completes a prepared plan of a stage that has nothing to see
+ * (murk_stage_has_nothing_to_see()): the plan has the fixed sensors and no
+ * others, because no candidate is better than another, and all coverage is NaN.
+ */
 murk_status murk_plan_result_make_dark(murk_plan_result *plan,
                                        const murk_stage *stage,
                                        murk_error *err);
 void murk_plan_result_release(murk_plan_result *plan);
 
-/* Chooses the sensors by the given sight: fills plan->place and plan->sensor,
- * with knowledge: explore the steps, and the time and the work of choosing.
- * Measures no coverage. An error names the key sensors of the scene as the
- * place, unless a more exact place is known. */
+/* Chooses the sensors of a prepared plan by the given sight: fills plan->place
+ * and plan->sensor, with knowledge: explore plan->explore, and the time and the
+ * work of choosing. Measures no coverage. An error names the key sensors of the
+ * scene as the place, unless a more exact place is known. */
 murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err);
 
@@ -154,8 +163,9 @@ murk_status murk_plan_take_sensors(murk_plan_result *plan,
  * rays without those of the forecast. */
 void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight);
 
-/* Sets all coverage of n sensors to NaN. Release the result as any other
- * coverage. Fails with MURK_NO_MEMORY. */
+/* Creates a coverage result of n sensors in which all coverage is NaN. The
+ * caller releases *out with murk_coverage_result_release(). Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_dark_coverage(murk_coverage_result *out,
                                const murk_stage *stage, size_t n,
                                murk_error *err);

@@ -20,8 +20,8 @@ typedef struct seen_maps {
  * the neighbours, and this limit keeps estimates local. */
 #define POWER_RADIUS 0.1
 
-/* Warn if more than this share of the photons have an estimate from fewer than
- * MURK_POWER_FEW neighbours. */
+/* Warn if more than this share of the photons or targets have an estimate from
+ * fewer than MURK_POWER_FEW neighbours. The share is a choice. */
 #define FEW_SHARE 0.05
 
 double murk_plan_power_radius_m(const murk_stage *stage)
@@ -59,8 +59,9 @@ static murk_power_settings power_of(const murk_stage *stage,
     return out;
 }
 
-/* Warns of density estimates from few neighbours. Only for the first stream,
- * because other streams are statistically equal. */
+/* Warns if more than FEW_SHARE of all photons or targets have a density
+ * estimate from few neighbours; `all` is the number of photons or targets. Only
+ * for stream 0, because other streams are statistically equal. */
 static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
                         const murk_traced *traced, size_t all)
 {
@@ -75,8 +76,9 @@ static void warn_of_few(const murk_sight *sight, const murk_stage *stage,
     }
 }
 
-/* The part of the description that is the same for photons, targets and points:
- * weights, regions of interest and redundancy are left at neutral values. */
+/* The part of the description of sight that is the same for photons, targets
+ * and points. Weights are balanced and the redundancy is 1; regions of
+ * interest, at_least and the settings of detection by power are empty. */
 static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
                                 unsigned threads)
 {
@@ -103,8 +105,8 @@ static murk_sight_desc describe(const murk_stage *stage, const seen_maps *maps,
         .where = settings->where};
 }
 
-/* Creates a sight with the sensor types of the scene. Points have no arrival
- * direction. */
+/* Creates a sight with the sensor types of the scene. If are_points is set, no
+ * type selects records by arrival direction, because points have none. */
 static murk_status create(murk_sight **out, const murk_stage *stage,
                           murk_sight_desc *desc, bool are_points,
                           murk_error *err)
@@ -124,8 +126,8 @@ static murk_status create(murk_sight **out, const murk_stage *stage,
 }
 
 /* Creates the sight onto photons or targets: with the weights, the regions of
- * interest, the redundancy and the detection by power of the scene. Warns of
- * density estimates from few neighbours. */
+ * interest, the redundancy, at_least and the settings of detection by power of
+ * the scene. Warns of density estimates from few neighbours. */
 static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                               const murk_traced *traced, const seen_maps *maps,
                               unsigned threads, murk_error *err)

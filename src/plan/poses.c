@@ -117,8 +117,8 @@ static int by_place(const void *a, const void *b)
 }
 
 /* A fixed sensor (pose `first` or later) at the position of a site, or of an
- * earlier fixed sensor, gets the number of that one, so that one_per_site
- * applies to both. */
+ * earlier fixed sensor, gets the number of that site or sensor, so that
+ * one_per_site applies to both. */
 static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
 {
     place *order = malloc((p->count + 1) * sizeof *order);

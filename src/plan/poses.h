@@ -1,5 +1,6 @@
-/* The candidates of placement: every sensor type at every site, for each
- * heading and tilt of the type. Also the constraints that a plan keeps. */
+/* The candidates of placement, which are poses: every sensor type at every
+ * site, for each heading and tilt of the type, and the fixed sensors. Also the
+ * constraints that a plan satisfies. */
 #ifndef MURK_PLAN_POSES_H
 #define MURK_PLAN_POSES_H
 
@@ -17,10 +18,12 @@ typedef struct murk_poses {
     murk_constraints constraints; /* 0 for constraints that the scene does not
                                    * have */
     bool has_constraints;
-    /* Arrays that the constraints point to. site is the number of the site of
-     * each pose; fixed sensors follow the usable sites, except that with
-     * one_per_site a fixed sensor at the position of a site, or of an earlier
-     * fixed sensor, has the number of that one. */
+    /* Arrays that the constraints point to: class_of, site, cost and position_m
+     * [count], min and max [types], fixed_number [fixed]. site is the number of
+     * the site of each pose. The numbers of fixed sensors follow those of the
+     * usable sites, except that with one_per_site a fixed sensor at the
+     * position of a site, or of an earlier fixed sensor, has the number of that
+     * site or sensor. */
     uint32_t *class_of, *site;
     size_t *min, *max, *fixed_number;
     int64_t *cost;
@@ -29,11 +32,12 @@ typedef struct murk_poses {
 } murk_poses;
 
 /* Creates the poses at the usable sites, site[n]. The caller owns *out; the
- * scene must outlive it. Fails with MURK_BAD_VALUE if there are more than 1e7
+ * scene must outlive *out. Fails with MURK_BAD_VALUE if there are more than 1e7
  * poses, if a fixed sensor lies outside the domain, if the count exceeds the
- * candidates, or if constraints contradict each other; or with MURK_NO_MEMORY.
- * The message for a fixed sensor outside the domain names the place of that
- * sensor in the scene, other messages that of the key sensors. */
+ * number of poses, or if constraints contradict each other; or with
+ * MURK_NO_MEMORY. The message for a fixed sensor outside the domain names the
+ * place of that sensor in the scene, other messages of MURK_BAD_VALUE that of
+ * the key sensors. */
 murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);
@@ -42,7 +46,8 @@ void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 /* Compares two murk_vec3 by x, then y, then z, for qsort() and bsearch(). */
 int murk_by_position(const void *a, const void *b);
 
-/* The constraints of the poses; NULL if the count is the only constraint. */
+/* The constraints of the poses; NULL if the scene has none besides the count
+ * and the target. */
 const murk_constraints *murk_poses_constraints(const murk_poses *poses);
 
 /* Converts the sensor types of the scene to the struct of sensing/sensor.h. The

@@ -136,7 +136,7 @@ murk_status murk_robust_summarise(murk_robust *robust,
     if (!x) {
         return no_memory(robust->sensors, err);
     }
-    /* Collect the coverage of the draws and the sum of their errors. */
+    /* Collect the coverage of the draws and the sum of the standard errors. */
     for (size_t d = 0; d < draws; ++d) {
         x[d] = covered[d].value;
         errors += covered[d].standard_error;

@@ -1,7 +1,9 @@
-/* A* search with lazy evaluation of steps: steps enter a priority queue (binary
- * heap) by a lower bound on the length of the path that uses the step, and the
- * line of a step is tested when the step leaves the queue. The bound adds the
- * straight-line distance to the goal, an admissible heuristic. */
+/* A* search for the shortest path, with lazy evaluation of steps: steps enter a
+ * priority queue (binary heap) by a lower bound on the length of a path that
+ * uses the step, and the line of a step is tested for surfaces when the step
+ * leaves the queue. The bound is the length of the path to the end of the step
+ * plus the straight-line distance from there to the goal, an admissible
+ * heuristic. */
 #include "plan/explored.h"
 
 #include <math.h>
@@ -28,8 +30,8 @@ typedef struct search {
     size_t steps, capacity;
 } search;
 
-/* A total order, so that of paths of equal length the same one is found on
- * every machine. */
+/* The order of steps in the heap. It is a total order, so that of paths of
+ * equal length the same path is found on every machine. */
 static bool is_less(const step *a, const step *b)
 {
     if (a->whole_m != b->whole_m) {
@@ -98,7 +100,8 @@ static bool is_open(const search *s, size_t a, size_t b)
     return murk_outlook_is_open(s->outlook, s->place[a], s->place[b]);
 }
 
-/* Adds the steps from a place that was reached to all places that are not. */
+/* Adds the steps from the reached place `from` to all places that are not
+ * reached; false when out of memory. */
 static bool push_steps(search *s, size_t from)
 {
     for (size_t to = 0; to < s->n; ++to) {
@@ -180,7 +183,8 @@ murk_status murk_route_find(size_t *stop, size_t *stops, double *length_m,
         for (size_t k = 0; k < n; ++k) {
             s.before[k] = NOWHERE;
         }
-        /* The straight line to the goal is unobstructed in most cases. */
+        /* First test the straight line to the goal, which is unobstructed in
+         * most cases. */
         if (is_open(&s, from, to)) {
             s.before[to] = from;
         }

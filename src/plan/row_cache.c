@@ -1,6 +1,6 @@
 /* Caches coverage rows in memory, one allocation for each row. Threads may ask
- * for the same row at the same time: an atomic exchange decides which copy
- * stays. */
+ * for the same row at the same time: an atomic compare-and-exchange decides
+ * which copy stays. */
 #include "plan/row_cache.h"
 
 #include <stdatomic.h>

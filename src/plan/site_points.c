@@ -41,7 +41,8 @@ static murk_status read_row(const murk_table *table, size_t row,
     return MURK_OK;
 }
 
-/* Finds the columns; a table must have rows. */
+/* Finds the numbers of the columns. Fails if a column is missing or the table
+ * has no rows. */
 static murk_status check_table(const murk_table *table, long column[3],
                                murk_error *err)
 {

@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* points of a grid that the scene leaves to murk: the manual states some 1000
- */
+/* The approximate number of points of a grid that the scene leaves to murk: the
+ * manual states about 1000. */
 #define GRID_POINTS 1000
 
 /* The grid of the scene, or one over the domain. */
@@ -64,8 +64,9 @@ static void face(const murk_scene_mount *settings, murk_mount_search *search,
     }
 }
 
-/* Fills *mount except for the sites themselves, which *foot receives; the
- * caller frees them. */
+/* Finds the sites of a mount on the surfaces: fills *mount except for the array
+ * of sites, which *foot receives; the caller frees *foot. Fails if the spacing
+ * is lost in rounding or if no surface has a site. */
 static murk_status find_mount(murk_candidate_mount *mount,
                               murk_mount_site **foot,
                               const murk_scene_mount *settings,
@@ -195,8 +196,9 @@ murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
 
 /* ---- several worlds ---- */
 
-/* Removes from `all` the candidates that `other` does not have. Candidates are
- * compared by exact position. */
+/* Removes from `all` the candidates that `other` does not have, and counts them
+ * as unreached. Candidates are compared by exact position. Fails at `where` if
+ * no candidate is left. */
 static murk_status keep_common(murk_candidates *all,
                                const murk_candidates *other, const char *where,
                                murk_error *err)
@@ -208,7 +210,7 @@ static murk_status keep_common(murk_candidates *all,
     }
     memcpy(sorted, other->position, other->usable * sizeof *sorted);
     qsort(sorted, other->usable, sizeof *sorted, murk_by_position);
-    /* Keep those that are found there. */
+    /* Keep the candidates whose positions are among them. */
     size_t remaining = 0;
     for (size_t i = 0; i < all->usable; ++i) {
         if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,

@@ -1,8 +1,9 @@
 /* Candidate sites of a scene: a grid of points, listed points, and points on
- * mounting surfaces, as far as they lie in free space and in the permitted
- * zones. If the scene names no candidates, murk chooses a grid; if it names
- * points or mounts alone, that grid serves only to find the space that light
- * reaches. */
+ * mounting surfaces, as far as they lie in free space, in the permitted zones,
+ * and not too close to surfaces (sensing/candidates.h). If the scene gives no
+ * grid, murk chooses one over the domain. If the scene gives points or mounts
+ * but no grid, the points of the chosen grid are no candidates and serve only
+ * to find the space that light reaches. */
 #ifndef MURK_PLAN_SITES_H
 #define MURK_PLAN_SITES_H
 
@@ -15,12 +16,12 @@
 murk_status murk_sites_find(murk_candidates **out, const murk_stage *stage,
                             unsigned threads, murk_error *err);
 
-/* The candidates that are usable in all n stages; candidates with the same
- * coordinates are the same candidate. Rejected candidates are counted as in the
- * first stage, and those that only a later stage rejects are added to the count
- * of unreached candidates. If stage i >= 1 leaves none, the error names
- * where[i] as the place; an error of the first stage is that of
- * murk_sites_find(). */
+/* The candidates that are usable in all n stages, n >= 1; candidates with the
+ * same coordinates are the same candidate. Rejected candidates are counted as
+ * in the first stage, and those that only a later stage rejects are added to
+ * the count of unreached candidates. Fails as murk_sites_find() does for any of
+ * the stages; and with MURK_BAD_VALUE at where[i] if stage i >= 1 has usable
+ * candidates, but none that all earlier stages have. */
 murk_status murk_sites_find_common(murk_candidates **out,
                                    const murk_stage *const *stage,
                                    const char *const *where, size_t n,

@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-/* points that murk_targets_check() keeps on surfaces and in the volume: one
- * shows that there is free space */
+/* The number of points that murk_targets_check() keeps on surfaces, and in the
+ * volume: a single point shows that there is free space. */
 #define CHECK_KEEPS 1
 
 murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,

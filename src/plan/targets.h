@@ -1,8 +1,8 @@
 /* Targets that replace photons, so that dark places count as well: points drawn
- * uniformly over the area of surfaces or the volume of free space, or listed in
- * a file. Targets are records like photons; in place of power they have area
- * [m2], volume [m3] or the weight of the list. Sight, coverage and plans
- * therefore treat them as photons.
+ * uniformly over the area of surfaces, the volume of free space or both, or
+ * listed in a file. Targets are records like photons; in place of power they
+ * have area [m2], volume [m3] or the weight of the list. Sight, coverage and
+ * plans therefore treat targets as photons.
  *
  * Free space is defined in sensing/open_space.h. A point of a surface gives one
  * record on each side that lies in free space. Points are drawn independently,
@@ -23,22 +23,25 @@ typedef struct murk_targets {
     murk_target_facts facts;
 } murk_targets;
 
-/* Creates the targets of a stage whose scene has targets. Release them also
- * after a failure. Fails with MURK_BAD_VALUE or MURK_BAD_FILE at the place in
- * the scene if there is nothing to cover: no such surface, no free space, a
- * list that cannot be read. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Creates the targets of a stage whose scene has targets. Release *out also
+ * after a failure. Fails with MURK_BAD_VALUE at the place of the targets in the
+ * scene if there is nothing to cover (no such surface, no free space) or too
+ * much (plan/target_records.h); with MURK_BAD_FILE or MURK_BAD_VALUE at the
+ * file or line of a list that cannot be read, has invalid values or no weight
+ * above 0; or with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
 void murk_targets_release(murk_targets *targets);
 
-/* Fails as murk_targets_create() would, except for lack of memory: reads the
- * whole list, or draws until one point on surfaces and one in the volume is
- * kept. */
+/* Fails as murk_targets_create() would, except for lack of memory for all
+ * targets: reads the whole list, or draws until one point on surfaces and one
+ * point in the volume is kept, as far as the scene asks for them. */
 murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
                                murk_error *err);
 
-/* The band in which sightlines to targets are attenuated. */
+/* The band in which sightlines to targets are attenuated: that of the key
+ * band_nm of the targets, or 0 if no band of the scene has this wavelength. */
 int murk_targets_band(const murk_scene_desc *scene);
 
 #endif

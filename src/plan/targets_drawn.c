@@ -3,12 +3,12 @@
  * Draws are numbered, and each is a function of its number alone. A wave of
  * draws is tested in parallel; then the records of the draws are stored in the
  * order of the numbers until enough points are kept, so the result does not
- * depend on threads. A draw is accepted, and its point kept, if it gives any
- * record. The powers of the kept records add up to an unbiased estimate of the
- * size of the free space: of n draws each represents size / n, where size is
- * the area or volume that is drawn from. If sampling stops at the k-th kept
- * point, each represents size (k - 1) / (k (n - 1)) (J. B. S. Haldane,
- * Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
+ * depend on threads. A draw is accepted, and its point kept, if the draw gives
+ * a record. The powers of the records add up to an unbiased estimate of the
+ * size of the free space: after n draws each record has the power size / n,
+ * where size is the area or volume that is drawn from. If sampling stops at the
+ * k-th kept point, k > 1, each record has the power size (k - 1) / (k (n - 1))
+ * (J. B. S. Haldane, Biometrika 33 (1945) 222, doi:10.1093/biomet/33.3.222). */
 #include "plan/target_records.h"
 
 #include "base/interrupt.h"
@@ -29,14 +29,16 @@
 #define WAVE_BATCHES 64
 #define WAVE_DRAWS   (BATCH_DRAWS * WAVE_BATCHES)
 
-/* Upper limit on draws: a first number, and a number for each point to keep. If
- * fewer than one draw in 100 is accepted, the requested space is too small to
- * be sampled by rejection, and fewer points are kept than asked for. */
+/* Upper limit on the draws if the scene asks for a number of points: a first
+ * number of draws, and a number of draws for each point to keep. If many fewer
+ * than one draw in 100 are accepted, the requested space is too small to be
+ * sampled by rejection, and fewer points are kept than asked for. */
 #define DRAWS_EACH  100
 #define DRAWS_FIRST 100000
 
-/* Draws tested at once for each point that is still missing: half more than
- * needed if all are accepted, so that few waves suffice. */
+/* The number of draws that a wave tests for each point that is still missing,
+ * up to WAVE_DRAWS in all: half more than needed if all draws are accepted, so
+ * that few waves suffice. */
 #define DRAWS_AHEAD 1.5
 
 /* A surface has two sides. */
@@ -64,7 +66,8 @@ typedef struct drawing {
     found *wave;        /* [WAVE_DRAWS] */
 } drawing;
 
-/* The random numbers of a draw; event keeps surfaces and volume independent. */
+/* The random numbers of a draw; `event` is 0 on surfaces and 1 in the volume,
+ * so that these draws are independent. */
 static murk_random4 draw_of(const drawing *d, uint64_t number, uint32_t event)
 {
     return murk_random(d->to->stage->scene->seed,
@@ -74,7 +77,8 @@ static murk_random4 draw_of(const drawing *d, uint64_t number, uint32_t event)
 
 /* ---- surfaces ---- */
 
-/* Draws a point on the surfaces and tests both sides. */
+/* Draws a point on the surfaces, and adds a record to *f for each side that
+ * lies in free space and in the domain. */
 static void draw_on_surface(const drawing *d, uint64_t number, found *f)
 {
     const murk_stage *stage = d->to->stage;
@@ -117,7 +121,8 @@ static bool is_wanted(const drawing *d, murk_inside inside, murk_vec3 p)
     }
 }
 
-/* Draws a point in the box and tests it. */
+/* Draws a point in the box, and adds a record to *f if the point is wanted and
+ * lies in free space. */
 static void draw_in_volume(const drawing *d, uint64_t number, found *f)
 {
     const murk_stage *stage = d->to->stage;
@@ -152,8 +157,9 @@ static void draw_batch(void *context, uint64_t batch)
     }
 }
 
-/* Determines the limits from a number of points, or from the number of draws
- * that a spacing fixes. */
+/* Sets d->keeps and d->draws_max: from a number of points, or, if `points` is
+ * 0, from `spacings`, the number of draws that a spacing fixes. Fails if that
+ * number exceeds MURK_TARGETS_MAX. */
 static murk_status set_amount(drawing *d, uint64_t points, double spacings,
                               murk_error *err)
 {
@@ -198,8 +204,8 @@ static murk_status accept_wave(drawing *d, uint64_t *points, uint64_t *draws,
 }
 
 /* Sets the power of the records, and returns the size of the free space with
- * standard error. A draw contributes 0, 1 or 2 sides; the variance of that
- * number over n draws gives the error. */
+ * standard error. A draw contributes 0, 1 or 2 records; the variance of this
+ * number over the draws gives the standard error. */
 static murk_estimate set_powers(const drawing *d, uint64_t points,
                                 uint64_t draws)
 {
@@ -283,8 +289,9 @@ static murk_status draw_waves(drawing *d, murk_estimate *size, murk_error *err)
     return status;
 }
 
-/* Draws a number of points, or the points that a spacing fixes; *size receives
- * the size of the free space. */
+/* Draws `points` points, or, if `points` is 0, makes the number of draws
+ * `spacings` that a spacing fixes; *size receives the size of the free space.
+ */
 static murk_status draw(drawing *d, uint64_t points, double spacings,
                         murk_estimate *size, murk_error *err)
 {
@@ -328,8 +335,8 @@ murk_status murk_targets_draw_surfaces(murk_target_records *records,
     return status;
 }
 
-/* A box that contains all regions of a medium; the domain counts for an
- * unbounded region. */
+/* A box that contains all regions of a medium; an unbounded region counts with
+ * the domain. Empty if the medium has no region. */
 static murk_box box_of_medium(const murk_stage *stage, int medium)
 {
     murk_box box = murk_box_empty();

@@ -1,6 +1,6 @@
 /* Reads targets from a CSV table: position, optional normal, optional weight. A
- * point with a normal is a record on a surface, a point without one a record in
- * the volume. */
+ * point with a normal is a record on a surface; a point without a normal, or
+ * with the normal 0, is a record in the volume. */
 #include "base/position.h"
 #include "plan/target_records.h"
 #include "scene/table.h"
@@ -70,7 +70,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "weight is %g, must be 0..1e6", weight);
     }
-    /* Normal: finite, and present if the point lies on a surface. */
+    /* Normal: of finite length, and above 0 if the point lies on a surface. */
     const double length = murk_length(normal);
     if (!isfinite(length)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -87,7 +87,7 @@ static murk_status check_row(const list *l, size_t row, murk_vec3 place,
 }
 
 /* The material of the surface that a point with a normal lies on;
- * MURK_TARGET_IN_NONE if no surface is there. */
+ * MURK_TARGET_IN_NONE if no surface is that near. */
 static uint8_t material_at(const list *l, murk_vec3 place, murk_vec3 normal)
 {
     murk_hit hit;
