@@ -1,7 +1,7 @@
-/* Imports the grids of density and albedo of a scene's media and borrows their
- * profiles from the scene. The grids are read in subprocesses by medium/grid.h;
- * murk_fillings_files() reports a missing frame of a sequence with the list of
- * frames that exist. */
+/* Imports the grids of density and albedo of a scene's media by medium/grid.h,
+ * which reads files in subprocesses, and borrows the profiles of the media from
+ * the scene. murk_fillings_files() reports a missing frame of a sequence with
+ * the list of frames that exist. */
 #include "world/fillings.h"
 
 #include "scene/frames.h"

@@ -25,10 +25,10 @@ typedef struct murk_fillings {
 murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
                                 const char *file[2], murk_error *err);
 
-/* Imports all grids of the scene, each in a subprocess. Fails as
- * murk_grid_read() and murk_grid_read_albedo() (medium/grid.h), or with
- * MURK_NO_MEMORY. The caller owns *out (murk_fillings_destroy()); the scene
- * must outlive *out. */
+/* Imports all grids of the scene by murk_grid_read() and
+ * murk_grid_read_albedo() (medium/grid.h), each file in a subprocess of its
+ * own. Fails as these two functions, or with MURK_NO_MEMORY. The caller owns
+ * *out (murk_fillings_destroy()); the scene must outlive *out. */
 murk_status murk_fillings_create(murk_fillings **out,
                                  const murk_scene_desc *scene, murk_error *err);
 void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */

@@ -1,7 +1,8 @@
 /* Regions of interest and the target mesh of a scene. Boundary meshes are built
  * from the imported meshes. A region that lies outside the domain, or whose
  * material or medium is used nowhere, is refused when the goals are built;
- * murk_goals_check_seen() refuses a region without a record after tracing. */
+ * murk_goals_check_seen() refuses a region that contains no stored photon or
+ * target. */
 #include "world/goals.h"
 
 #include "base/position.h"

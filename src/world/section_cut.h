@@ -7,9 +7,10 @@
 #include "world/stage.h"
 
 /* The box of the things in the domain: surfaces, bounded regions of media,
- * fixed sensors, cameras, site[sites], and of each lamp the point
- * light->position. The box is cut to the domain; it is the domain if there are
- * no things or if none of them is in the domain. */
+ * fixed sensors, cameras, site[sites], and of each lamp one point (centre,
+ * corner, position or origin). The box is cut to the domain; the result is the
+ * domain if there are no things, or if no part of their box is in the domain.
+ */
 murk_box murk_stage_things_box(const murk_stage *stage, const murk_vec3 *site,
                                size_t sites);
 

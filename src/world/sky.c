@@ -345,9 +345,9 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     facts->elevation_deg = body.elevation_deg;
     facts->is_on = body.elevation_deg > 0;
     aim_from(out, &body, scene->north);
-    /* Clouds leave of the direct moonlight the ratio of the direct irradiance
-     * under these clouds to that under a clear sky, both by the law of Kasten
-     * and Czeplak. */
+    /* The share of the direct moonlight that clouds let through: the ratio of
+     * the direct irradiance under the clouds to that under a clear sky, both by
+     * the law of Kasten and Czeplak. */
     const clouds c = clouds_of(light->cover),
                  none = clouds_of(MURK_SCENE_CLEAR);
     const double seen = c.left * (1 - c.diffuse) / (1 - none.diffuse);

@@ -41,9 +41,9 @@ murk_source murk_sky_lamp(const murk_scene_light *light);
  * portals. *out borrows from the scene. Every element of out->power_w is 0 if
  * the source does not emit at the time of the scene. *facts receives the
  * properties that were computed. Fails with MURK_BAD_VALUE at the place of the
- * light source if the ephemeris does not cover the time, although the source is
- * sun, moon or sky or has the schedule night; or if the schedule is night and
- * the scene has no latitude or longitude. */
+ * light source: for sun, moon, sky and the schedule night if the ephemeris does
+ * not cover the time, and for the schedule night also if the scene has no
+ * latitude or longitude. */
 murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
                            const murk_scene_desc *scene, size_t light,
                            murk_error *err);

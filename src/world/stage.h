@@ -1,6 +1,6 @@
 /* The world of a scene: surfaces, media, light sources, tallies and goals,
- * converted from the structs of the scene. stage_build.h makes it; after that
- * it does not change. */
+ * converted from the structs of the scene. The functions of world/stage_build.h
+ * make a stage; a stage that is built does not change. */
 #ifndef MURK_WORLD_STAGE_H
 #define MURK_WORLD_STAGE_H
 

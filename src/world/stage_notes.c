@@ -1,7 +1,7 @@
 /* Warns of settings that are valid but probably not meant: among others,
  * geometry and regions that reach out of the domain, media that touch an open
  * side of the domain if there is distant light, portals that face away from
- * their light source, and a scene without any light. */
+ * their light source, and a scene in which no light source has power. */
 #include "world/stage_build.h"
 
 #include "base/log.h"
@@ -132,10 +132,10 @@ static void note_of_dark(const murk_stage *stage)
     }
 }
 
-/* Warns of regions that touch a side of a domain that is not periodic, if there
- * is distant light and any medium. A medium that touches a side usually
- * continues outside, but unless domain.outside is continued, distant light is
- * not attenuated outside the domain. */
+/* Warns of regions that touch a side of the domain, if there is distant light
+ * and any medium, and if the domain is neither periodic nor continued outside
+ * (domain.outside: continued). A medium that touches a side usually continues
+ * outside, but in such a domain distant light is not attenuated outside. */
 static void warn_of_lit_sides(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;

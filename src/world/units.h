@@ -3,10 +3,10 @@
  *
  * There is one factor for each light source and band. A band without edges is a
  * single wavelength. Within a band that has edges, the light of sun, moon and
- * sky has the spectrum that it has at the boundary of the domain, and the light
- * of any other source is even in wavelength. Attenuation by media and surfaces
- * within a band does not change the factor, because a photon carries a band and
- * no wavelength. */
+ * skies has the spectrum of murk_sky_facts (world/sky.h), and the light of any
+ * other source is even in wavelength. Attenuation by media and surfaces within
+ * a band does not change the factor, because a photon carries a band and no
+ * wavelength. */
 #ifndef MURK_WORLD_UNITS_H
 #define MURK_WORLD_UNITS_H
 
