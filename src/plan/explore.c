@@ -129,9 +129,10 @@ static murk_status go_to(exploring *e, uint32_t place, double *length_m,
     if (status) {
         return status;
     }
-    const size_t first = out->stops > 0; /* the first stop of the path is left
-                                          * out if the list has stops: it is the
-                                          * last of these */
+    const size_t first = out->stops > 0; /* if the list has stops, the first
+                                          * stop of the path is left out,
+                                          * because it is the last stop of the
+                                          * list */
     murk_vec3 *stop =
         realloc(out->stop, (out->stops + stops + 1) * sizeof *stop);
     if (stop) {

@@ -2,18 +2,17 @@
  * are chosen one after the other, each inside the space that earlier stations
  * have seen (greedy next best view).
  *
- * The explorer knows the start position, the photons that the stations and the
- * fixed sensors see, and the places that they see (sensing/outlook.h; places
- * are the usable sites and the positions of fixed sensors). A pose may be
- * evaluated if its place has been seen and is connected to the start
- * (plan/explored.h), which costs one visibility query, or none if the row of
- * that candidate is cached. Nothing is known about other places. The next
- * station is the pose that adds most coverage (with a budget: most coverage per
- * cost) under the constraints. If no pose adds coverage, the next station is
- * the pose that sees most sites that have not been seen or are not connected to
- * its place, because it may be necessary to turn a corner first. If no pose
- * sees such a site either, exploration ends. Ties go to the lowest candidate
- * number.
+ * The explorer knows the start position, and the photons and the places that
+ * the stations and the fixed sensors see (sensing/outlook.h; places are the
+ * usable sites and the positions of fixed sensors). A pose may be evaluated if
+ * its place has been seen and is connected to the start (plan/explored.h),
+ * which costs one visibility query, or none if the row of that candidate is
+ * cached. Nothing is known about other places. The next station is the pose
+ * that adds most coverage (with a budget: most coverage per cost) under the
+ * constraints. If no pose adds coverage, the next station is the pose that sees
+ * most sites that have not been seen or are not connected to its place, because
+ * it may be necessary to turn a corner first. If no pose sees such a site
+ * either, exploration ends. Ties go to the lowest candidate number.
  *
  * The first station is at the start. The path between two stations is the
  * shortest path over places seen so far (over a part of these places if they

@@ -3,9 +3,10 @@
  * Places are the usable sites and the positions of fixed sensors, numbered as
  * in poses->site (plan/poses.h): usable sites first, then the positions of
  * fixed sensors (with one_per_site only those that are neither at a site nor at
- * an earlier fixed sensor). Two places are connected if one is seen from a
- * station or fixed sensor at the other, or if both are connected to a third
- * place. A path leads over seen places from one place to a connected place. */
+ * an earlier fixed sensor; the numbers that the other fixed sensors would have
+ * stay unused). Two places are connected if one is seen from a station or fixed
+ * sensor at the other, or if both are connected to a third place. A path leads
+ * over seen places from one place to a connected place. */
 #ifndef MURK_PLAN_EXPLORED_H
 #define MURK_PLAN_EXPLORED_H
 

@@ -26,7 +26,7 @@ int murk_thin_map(const murk_scene_desc *scene,
 
 /* The share of the variance of the total coverage that comes from the records
  * of map 0 (surface) or 1 (volume); NaN if the standard errors of both maps are
- * 0 or NaN. */
+ * 0 or if one of them is NaN. */
 double murk_map_variance_share(const murk_coverage_result *coverage, int map);
 
 /* Writes a clause that states the share of the coverage, and the share of the

@@ -14,7 +14,7 @@ typedef struct murk_jittered {
     size_t draws;      /* 0 if the scene does not ask for draws, or the plan has
                         * no sensors; the other members are 0 then */
     bool on_held_out;  /* measured on the second map; else on the map that chose
-                        * the plan */
+                        * the plan, or on the only map of given sensors */
     double as_planned; /* coverage without errors, on the same map */
     murk_estimate mean; /* mean over the draws. The square of the standard error
                          * is the sum of two squares: of the error by draws, and

@@ -210,7 +210,7 @@ static murk_status keep_common(murk_candidates *all,
     }
     memcpy(sorted, other->position, other->usable * sizeof *sorted);
     qsort(sorted, other->usable, sizeof *sorted, murk_by_position);
-    /* Keep the candidates whose positions are among them. */
+    /* Keep the candidates whose positions are in the sorted list. */
     size_t remaining = 0;
     for (size_t i = 0; i < all->usable; ++i) {
         if (bsearch(&all->position[i], sorted, other->usable, sizeof *sorted,

@@ -40,8 +40,8 @@ murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,
 /* The material or medium of a record that lies on or in none. */
 #define MURK_TARGET_IN_NONE UINT8_MAX
 
-/* The medium with the largest extinction at a place in a band;
- * MURK_TARGET_IN_NONE if no medium has any there. */
+/* The index of the medium with the largest extinction at a place in a band;
+ * MURK_TARGET_IN_NONE if all extinctions are 0 there. */
 uint8_t murk_target_medium(const murk_stage *stage, int band, murk_vec3 place);
 
 /* Draw points on the surfaces or in the volume that the scene asks for, and

@@ -55,7 +55,7 @@ typedef struct drawing {
     murk_record_list *list; /* of `to`: the records of this kind */
     const char *where;
     murk_open_space *space;
-    /* Area or box: one of them is used. */
+    /* Points are drawn from the area; if area is NULL, from the box. */
     murk_area *area;
     murk_box box;
     double size;        /* area [m2] or volume [m3] that is drawn from */
