@@ -1,5 +1,6 @@
-/* Views: arrays of the caller that murk reads element by element, and arrays of
- * murk that a view describes. */
+/* Views (murk_array, murk.h): of arrays of the caller, whose elements are read
+ * one by one, and of arrays of murk. Also the lists of arrays of murk that are
+ * made when the caller asks for them. */
 #include "api/handles.h"
 
 #include <stdio.h>
@@ -16,7 +17,8 @@ size_t murk_type_bytes(murk_type type)
     return (unsigned)type < sizeof bytes / sizeof *bytes ? bytes[type] : 0;
 }
 
-/* Sets shape, and the strides of a dense array. */
+/* Sets dimensions and shape, and the strides of a dense array in the order of
+ * C, of view->type. */
 static void lay_out(murk_array *view, int dimensions, const size_t *shape)
 {
     view->dimensions = dimensions;
@@ -96,7 +98,7 @@ double murk_array_number(const murk_array *view, size_t i)
         at += (ptrdiff_t)(i % view->shape[k]) * view->stride[k];
         i /= view->shape[k];
     }
-    /* Copy the value, because arrays of the caller need not be aligned. */
+    /* Copy the element, because arrays of the caller need not be aligned. */
     union {
         uint8_t uint8;
         uint16_t uint16;

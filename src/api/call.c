@@ -1,6 +1,8 @@
-/* The frame of each public call: the host of the context is entered, the work
- * is done with an error of murk's own, and at the end the message goes to the
- * error of the caller, with the place split into file, line, column and key. */
+/* The frame of public calls: the calling thread enters the host of the context
+ * (base/host.h), the work fills an error of murk's own, and at the end the
+ * message goes to the error of the caller, with the place split into file,
+ * line, column and key. Also the checks of arguments and structs of the caller.
+ */
 #include "api/handles.h"
 
 #include "base/version.h"
@@ -11,10 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The beginning of the place of a failure that an argument has caused. */
+/* The beginning of the places that murk_call_bad_argument() makes. */
 #define MURK_ARGUMENT "argument "
 
-#define KEY_PART_SIZE 256 /* of one part of a path; names are shorter */
+/* Bytes for one part of the path of a key; names of keys are shorter. */
+#define KEY_PART_SIZE 256
 
 /* No struct of murk.h will have more bytes: a larger size is a mistake, such as
  * memory that was not set. */
@@ -34,7 +37,9 @@ murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
     return call;
 }
 
-/* Removes ":NUMBER" from the end of a text. Returns the number, or 0. */
+/* Removes ":NUMBER", a number of 1 to 9 digits, from the end of a text and
+ * returns the number. Returns 0 and changes nothing if the text does not end
+ * so. */
 static int take_number(char *text)
 {
     char *colon = strrchr(text, ':');
@@ -46,16 +51,16 @@ static int take_number(char *text)
     return (int)strtol(colon + 1, NULL, 10);
 }
 
-/* True if the text has the form of a path of keys. */
+/* True if the text has only characters that paths of keys have, or none. */
 static bool is_key(const char *text)
 {
     return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                         "0123456789._@-") == strlen(text);
 }
 
-/* Settings of calls that are places by their names: arguments, and members of
- * options. A value of a list of texts has the place "NAME TEXT", where TEXT
- * begins with a key: "keys KEY" or "bounds KEY=LOW:HIGH". */
+/* Arguments of public calls, and members of options, whose name is the place of
+ * a failure. The place of an element of a list of texts is "NAME TEXT", where
+ * TEXT begins with a key: "keys KEY" or "bounds KEY=LOW:HIGH". */
 static const struct {
     const char *name;
     bool is_list;
@@ -63,9 +68,10 @@ static const struct {
                 {"voxel_m", false}, {"runs", false},    {"loss", false},
                 {"predict", false}, {"command", false}, {"photon", false}};
 
-/* Returns the part of a place behind MURK_SET_MARK or behind the name of a
- * setting: a text that begins with a key, or "". Returns NULL if the place
- * begins with neither. */
+/* Returns the part of a place behind MURK_SET_MARK ("set "), or behind the name
+ * of a setting and a blank if the setting is a list: a text that begins with a
+ * key. Returns "" if the place is the name of a setting, and NULL for any other
+ * place. */
 static const char *rest_of_setting(const char *place)
 {
     if (strncmp(place, MURK_SET_MARK, strlen(MURK_SET_MARK)) == 0) {
@@ -87,7 +93,9 @@ static const char *rest_of_setting(const char *place)
 }
 
 /* True if the key table has this path, such as "placement.threshold" or
- * "lights.0"; names of media and the like are not known here. */
+ * "lights.0", or if the path is empty. A number behind a key counts as an
+ * index. False for a path with the name of a medium or of another item that the
+ * user names, because the key table does not have these names. */
 static bool is_scene_key(const char *path)
 {
     const murk_keys *keys = &murk_scene_keys;
@@ -108,16 +116,19 @@ static bool is_scene_key(const char *path)
     return true;
 }
 
-/* True if a place that reads like a key or a setting is one, which the code of
- * the error tells: a file of the same name fails with other codes, because it
- * is malformed or cannot be written. */
+/* True if a place that may be a key, a setting or a file of the same name is
+ * taken for the key or the setting. The code of the error decides: a file that
+ * is malformed or cannot be written fails with other codes. */
 static bool may_be_name(const murk_error *error)
 {
     return error->code == MURK_BAD_VALUE || error->code == MURK_NO_MEMORY;
 }
 
-/* Splits the place of an error, "FILE:LINE:COLUMN: KEY", "set KEY=VALUE: KEY"
- * or "FILE", into the members file, line, column and key. */
+/* Splits the place of an error into the members file, line, column and key.
+ * "FILE:LINE:COLUMN: KEY" sets all of them; every part but FILE may be absent.
+ * "set KEY=VALUE", "NAME KEY" with the name of a setting, and the path of a key
+ * set `key` alone. The name of a setting alone, and an argument, set none. A
+ * key that follows ": " takes precedence over others. */
 static void split_place(murk_error *error)
 {
     char place[sizeof error->where];
@@ -130,7 +141,7 @@ static void split_place(murk_error *error)
         *key = '\0';
         snprintf(error->key, sizeof error->key, "%s", key + 2);
     }
-    /* The rest is a file, an argument, or a value that the caller set. */
+    /* The rest of the place is an argument, a setting, a key or a file. */
     if (strncmp(place, MURK_ARGUMENT, strlen(MURK_ARGUMENT)) == 0) {
         return;
     }
@@ -188,7 +199,7 @@ murk_status murk_call_end(murk_call *call, murk_status status)
 
 murk_status murk_call_end_long(murk_call *call, murk_status status)
 {
-    /* Whatever failed after the request failed because of it. */
+    /* The request may have caused any other failure, so report it instead. */
     if (atomic_exchange(&call->host->stop, 0)) {
         call->failure = (murk_error){0};
         status = murk_fail(&call->failure, MURK_INTERRUPTED, "", "interrupted");
@@ -238,7 +249,8 @@ murk_status murk_struct_check(const void *given, size_t min_size, size_t known,
 {
     size_t size;
     memcpy(&size, given, sizeof size);
-    /* All structs of murk.h have the alignment of their size. */
+    /* All structs of murk.h have the alignment of their first member, a
+     * size_t, so their size is a multiple of that alignment. */
     if (size == 0 || size < min_size || size > STRUCT_MAX ||
         size % _Alignof(size_t) != 0) {
         return murk_call_bad_argument(

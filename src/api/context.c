@@ -1,4 +1,6 @@
-/* Contexts: a host of murk (base/host.h) with the functions of the caller. */
+/* Contexts: a context has a host (base/host.h), which holds the threads, the
+ * imports and the request to stop, and passes messages and progress to the
+ * functions of the caller. */
 #include "api/handles.h"
 
 #include "base/host_make.h"
@@ -36,7 +38,8 @@ static murk_status no_memory(murk_error *error, const char *purpose)
     return MURK_NO_MEMORY;
 }
 
-/* Copies the members that the caller's struct has. */
+/* Copies the members that the caller's struct has, and the path of murk-reader.
+ * Fails if `imports` is no value of murk_imports. */
 static murk_status take_options(murk_context *context,
                                 const murk_context_options *options,
                                 murk_error *error)

@@ -1,5 +1,5 @@
-/* Coverage of given sensors on a light, and their rows of the coverage
- * matrix. */
+/* Coverage: the part of a light that given sensors see, and the rows of these
+ * sensors in the coverage matrix. */
 #include "api/save.h"
 
 #include "base/progress.h"
@@ -82,7 +82,8 @@ void murk_coverage_destroy(murk_coverage *coverage)
     }
 }
 
-/* The results of a coverage, for a session that borrows its light. */
+/* The results of a coverage in the form of results/sense.h. `session` must have
+ * the scene and the light of the coverage. */
 static murk_sense_results results_of(const murk_coverage *coverage,
                                      const murk_session *session)
 {
@@ -111,8 +112,9 @@ murk_status murk_coverage_fields(murk_coverage *coverage,
 
 /* ---- files ---- */
 
-/* Adds coverage.ply (results/plan_ply.h), the exports, the files of the light
- * and coverage.csv; coverage.json comes last. */
+/* A murk_save_work (api/save.h): adds coverage.ply (results/plan_ply.h; only if
+ * there is something to see and a folder), the exports, the files of the light,
+ * coverage.csv, and last coverage.json. */
 static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
                         murk_error *err)
@@ -175,7 +177,8 @@ static murk_status make_matrix(murk_coverage *coverage, murk_error *err)
     coverage->records = sight ? murk_sight_photons(sight)
                               : murk_photon_map_count(traced->surface) +
                                     murk_photon_map_count(traced->volume);
-    /* A row of zeros for each sensor, and the clarity of each photon seen. */
+    /* A row of zeros for each sensor; then the clarity (murk.h) of each record
+     * that the sensor sees. */
     coverage->matrix =
         calloc(coverage->n * coverage->records + 1, sizeof *coverage->matrix);
     for (size_t k = 0; sight && coverage->matrix && k < coverage->n; ++k) {

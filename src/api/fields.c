@@ -1,5 +1,6 @@
-/* Fields of results: a JSON object, made of the table that the JSON file of the
- * program is made of, and read by paths. */
+/* Fields of results: JSON objects whose values are read by paths.
+ * murk_fields_make() makes the object by the same table (results/fields.h) as
+ * the program makes the JSON file of the result. */
 #include "api/handles.h"
 
 #include "results/fields.h"
@@ -33,19 +34,22 @@ void murk_fields_release(murk_fields *fields)
     *fields = (murk_fields){0};
 }
 
-/* The largest whole number such that a double holds it and all smaller ones
- * exactly, and no other number of a JSON text is rounded to it: 2^53 - 1 (IEEE
- * 754 binary64; RFC 8259, section 6). */
+/* The largest whole number such that a double holds this number and all smaller
+ * positive whole numbers exactly, and no other whole number of a JSON text is
+ * rounded to it: 2^53 - 1 (IEEE 754 binary64; RFC 8259, section 6). */
 #define EXACT_MAX INT64_C(9007199254740991)
 
-/* Items of lists that are not longer are found without the help of the last
- * one. */
+/* An item with an index below this is not remembered as the item that was read
+ * last, because it is found by a short walk from the first item. */
 #define SHORT_LIST 8
 
-/* Item i of a list; NULL if there is none. Walks on from the item that was read
- * last, so that the time to read a list in order is in proportion to its
- * length. An item of a short list is not remembered, because it may be a part
- * of an item of the long list that is read. */
+/* Item i of a list; NULL if there is none. If fields->last is an item of this
+ * list and not behind item i, the walk begins there, so that the time to read a
+ * list in order is in proportion to the length of the list; else the walk
+ * begins at the first item. An item with an index below SHORT_LIST is not
+ * remembered: it may belong to a short list inside an item of a long list, such
+ * as a position of three numbers, and would take the place of the item of the
+ * long list. */
 static const cJSON *item_of(const murk_fields *fields, const cJSON *list, int i)
 {
     murk_fields *memory = (murk_fields *)fields;
@@ -67,7 +71,8 @@ static const cJSON *item_of(const murk_fields *fields, const cJSON *list, int i)
     return item;
 }
 
-/* The item at a path; NULL if there is none. */
+/* The item at a path; the whole result if the path is NULL or empty. NULL if
+ * there is no such item, or if `fields` is NULL. */
 static const cJSON *find(const murk_fields *fields, const char *path)
 {
     const cJSON *at = fields ? fields->root : NULL;
@@ -104,8 +109,9 @@ murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path)
                                   : MURK_FIELD_OBJECT;
 }
 
-/* Fails, because the field at a path is not of the wanted kind, or because the
- * address of the value is NULL. */
+/* Fails with MURK_BAD_VALUE: because the caller's `value`, the address to write
+ * to, is NULL, or else because the field at the path is not of the wanted kind.
+ */
 static murk_status refuse(const murk_fields *fields, const char *path,
                           const void *value, const char *wanted,
                           murk_error *error)

@@ -15,8 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The name under which the text of a scene is read again for each value of a
- * parameter (base/memory_files.h). */
+/* The name of the file in memory (base/memory_files.h) with the text of the
+ * scene. The scene is read again for other values of the parameters: from this
+ * file, unless murk_scene_read() has read the scene from a file on disk. */
 #define SCENE_TEXT "murk-scene"
 
 struct murk_fit {
@@ -25,13 +26,13 @@ struct murk_fit {
     size_t wanted_places;          /* proposals; 0: none */
     char *predict;                 /* path of a finished fit; NULL: fits */
     murk_memory_files files;       /* of the scene when the fit was made, and
-                                    * its text */
+                                    * SCENE_TEXT */
     murk_session session;          /* owns the scene and the stage of the fit */
     murk_imported_stages imported; /* session.stage borrows from these stages */
     murk_readings *measured;
     char **text; /* [texts] copies of keys and bounds */
     size_t texts;
-    murk_fit_values values; /* of the finished fit */
+    murk_fit_values values; /* of the finished fit `predict`; else empty */
     murk_free_keys *keys;
     murk_calibration found;
     bool has_run;
@@ -61,8 +62,8 @@ static murk_status take_options(murk_fit *f, const murk_fit_options *options,
 
 /* ---- reading ---- */
 
-/* Reads the scene, imports the files of all conditions, and then builds the
- * world of the scene without a condition. */
+/* Reads the scene, imports the files of the scene and of all its conditions,
+ * and then builds the world of the scene without a condition. */
 static murk_status build(murk_fit *f, murk_error *err)
 {
     murk_session *session = &f->session;
@@ -85,8 +86,8 @@ static murk_status build(murk_fit *f, murk_error *err)
     return status;
 }
 
-/* Checks before light is traced that coverage, if there are readings of it, and
- * proposals, if any are asked for, can be computed at the end. */
+/* Checks before light is traced that the scene allows readings of coverage, if
+ * the data have any, and proposals of further readings, if any are wanted. */
 static murk_status check_before_trace(const murk_fit *f, murk_error *err)
 {
     const murk_readings *m = f->measured;
@@ -102,7 +103,8 @@ static murk_status check_before_trace(const murk_fit *f, murk_error *err)
 }
 
 /* Reads the readings, then finds the free keys with their bounds and starts. To
- * predict, the free keys are those of a finished fit. */
+ * predict, reads a finished fit before, which gives the free keys and the
+ * values at which they start. */
 static murk_status read_input(murk_fit *f, const char *data,
                               const char *const *keys, size_t n,
                               const murk_fit_options *options, murk_error *err)
@@ -151,8 +153,8 @@ static murk_status read_input(murk_fit *f, const char *data,
     return status ? status : check_before_trace(f, err);
 }
 
-/* Keeps the files in memory of the scene, and the text of the scene as one
- * more. The fit reads that text again if the scene is not from a file. */
+/* Fills f->files with the files in memory of the scene, and adds the text of
+ * the scene as the file SCENE_TEXT. */
 static murk_status keep_files(murk_fit *f, murk_error *err)
 {
     char *text = strdup(f->scene->text);
@@ -176,7 +178,7 @@ static murk_status make(murk_fit *f, murk_scene *scene, const char *data,
     f->session = (murk_session){.settings.threads = threads,
                                 .settings.is_quiet = true,
                                 .run.threads = threads};
-    /* The options must be right by themselves. */
+    /* Check the options and the list of keys, which needs no scene. */
     murk_status status =
         murk_options_copy(&options, sizeof options, given, "options",
                           "murk_fit_options", &call->failure);
@@ -282,7 +284,8 @@ static void tell_memory(void *context, double bytes, double have_bytes)
                        have_bytes / 1e9);
 }
 
-/* Fits, or predicts; then proposes the next measurements, if asked for. */
+/* Fits, or predicts; then proposes places for further readings, if any are
+ * wanted. */
 static murk_status run(murk_fit *f, murk_error *err)
 {
     murk_calibration_desc desc = f->desired;

@@ -43,8 +43,8 @@ static murk_status parameters_of(const murk_yaml **out, const murk_yaml *root,
     return MURK_OK;
 }
 
-/* Lists in f->asked the keys that the finished fit was asked for: a parameter
- * "media.fog.visibility_m@dawn" was asked for as
+/* Lists in f->asked, each once, the keys that the finished fit was asked for: a
+ * parameter "media.fog.visibility_m@dawn" was asked for as
  * "media.fog.visibility_m@each". */
 static murk_status ask_for(murk_fit_values *f, const murk_yaml *list,
                            murk_error *err)
@@ -90,8 +90,8 @@ murk_status murk_fit_values_set(const murk_fit_values *f, murk_free_keys *keys,
             return murk_fail(err, MURK_BAD_FILE, f->path, "has no value of %s",
                              key->name);
         }
-        /* The value becomes the start of the key, and must be within its
-         * limits. */
+        /* The value becomes the start of the key, and must be within the limits
+         * of the key. */
         (void)murk_yaml_number(found, &key->start);
         if (!(key->start >= key->lower && key->start <= key->upper)) {
             return murk_fail(err, MURK_BAD_VALUE, f->path,

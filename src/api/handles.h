@@ -1,8 +1,13 @@
-/* The structs behind the handles of murk.h, and the frame of a public call.
+/* The structs behind the handles of murk.h that several files of src/api use,
+ * and the functions that these files share: the frame of a public call,
+ * references, fields and arrays. The structs of studies, fits and pictures are
+ * in study.c, fit.c and picture.c.
  *
- * Context, scene, world and light, from which other handles are made, count
- * their references: one of the caller, and one of each handle that was made
- * from them. murk_<handle>_destroy() gives back the reference of the caller. */
+ * A context, scene, world or light counts the references to it: one of the
+ * caller, and one of each handle that has a pointer to it.
+ * murk_<handle>_destroy() gives back the reference of the caller, and destroys
+ * the handle if no other reference is left. A world has no reference to the
+ * scene that it was made from, because the world keeps all that it needs. */
 #ifndef MURK_API_HANDLES_H
 #define MURK_API_HANDLES_H
 
@@ -16,7 +21,8 @@
 struct murk_fields {
     cJSON *root;
     char *json;
-    struct { /* the item of a long list that was read last; list NULL: none */
+    struct { /* the item of a list that was read last, of the items with an
+              * index of SHORT_LIST (fields.c) or more; list NULL: none */
         const cJSON *list, *item;
         int index;
     } last;
@@ -38,14 +44,16 @@ struct murk_scene {
     char *name;   /* of the text, in messages */
     bool is_file; /* read from the file `name` */
     char *text;
-    size_t n; /* keys that murk_scene_set() gave */
-    murk_override *set;
+    size_t n;
+    murk_override *set; /* [n] keys of murk_scene_set() and
+                         * murk_scene_use_light(), in the order given */
     murk_memory_files files;
     char *resolved; /* text of the last murk_scene_resolved() */
     char *value;    /* JSON of the last murk_scene_get() */
 };
 
-/* An array that was made on request. */
+/* An array of murk that was made when the caller asked for it, as an element of
+ * a linked list. */
 typedef struct murk_made murk_made;
 struct murk_made {
     murk_made *next;
@@ -59,16 +67,20 @@ struct murk_world {
     murk_memory_files files;
     murk_scene_desc *desc;
     murk_stage *stage;
-    double begun_s, load_s; /* the clock at the beginning, and the duration */
+    double begun_s, load_s; /* begun_s: clock when the reading of the scene
+                             * began; load_s: time from begun_s to the end of
+                             * reading, or, once the stage is built, to the end
+                             * of building */
     murk_fields replayed;   /* of the last murk_world_replay() */
 };
 
 struct murk_light {
     size_t references;
     murk_world *world;
-    murk_session session; /* borrows scene and stage of the world */
-    char *path;           /* the file that the light was read from; NULL: it was
-                           * traced */
+    murk_session session; /* borrows scene and stage of the world; owns the
+                           * light, session.traced */
+    char *path; /* the file that the light was read from; NULL: the light was
+                 * traced */
     murk_made *made;
     murk_fields fields, saved;
 };
@@ -99,21 +111,26 @@ struct murk_coverage {
 };
 
 struct murk_plan {
-    murk_world *world; /* NULL: a plan for a matrix, which has the two below */
-    murk_scene *scene;
-    struct murk_matrix_plan *matrix; /* results/matrix.h */
-    murk_light *light;               /* NULL: a plan over conditions */
-    murk_session session;            /* borrows scene, stage and light */
+    murk_world *world;               /* NULL: a plan for a matrix */
+    murk_scene *scene;               /* of a plan for a matrix, else NULL */
+    struct murk_matrix_plan *matrix; /* results/matrix.h; of a plan for a
+                                      * matrix, else NULL */
+    murk_light *light; /* the light that murk_plan_for_light() was given; NULL
+                        * for other plans */
+    murk_session session; /* borrows scene and stage of the world; owns the
+                           * light, session.traced, if `light` is NULL; zeros
+                           * for a plan for a matrix */
     murk_plan_result plan;
-    murk_condition_plans *conditions; /* NULL: the scene as it stands */
+    murk_condition_plans *conditions; /* NULL unless over conditions */
     murk_repeat repeat;               /* runs 0: not repeated */
     murk_fields fields, saved;
 };
 
 /* ---- a public call ---- */
 
-/* Binds the calling thread to the host of a context, and fills the error of the
- * caller at the end:
+/* A public call that runs. Its beginning binds the calling thread to the host
+ * of a context. Its end binds the thread to the former host, and, if the call
+ * failed, copies the failure to the error of the caller:
  *
  *     murk_call call = murk_call_begin(context, files, error);
  *     return murk_call_end(&call, work(..., &call.failure));
@@ -137,38 +154,41 @@ murk_status murk_call_end(murk_call *call, murk_status status);
  * cancel is cleared, and turns any status into MURK_INTERRUPTED. */
 murk_status murk_call_end_long(murk_call *call, murk_status status);
 
-/* Splits the place of a failure into file, line, column and key, and copies the
- * failure to `to`, the error of the caller: the members that the caller's
- * struct has. Copies nothing if `to` is NULL or has a message already. */
+/* Splits the place of a failure, failure->where, into file, line, column and
+ * key, and copies the failure to `to`, the error of the caller: the members
+ * that the caller's struct has, or all if to->size is 0. Copies nothing if `to`
+ * is NULL or has a message already. */
 void murk_call_report(murk_error *to, murk_error *failure);
 
-/* Copies a failure as murk_call_report() does, but does not split the place,
- * which is neither a file nor a key. */
+/* Copies a failure as murk_call_report() does, but does not split the place.
+ * For failures whose place is neither a file nor a key, such as those at the
+ * path of a field. */
 void murk_call_pass(murk_error *to, murk_error *failure);
 
-/* Fails with MURK_BAD_VALUE and `text`. It needs no context, so it serves for
- * NULL handles and other misuse. */
+/* Fails with MURK_BAD_VALUE and `text`. For NULL handles and other misuse, when
+ * no call has begun: the function needs no context. */
 murk_status murk_call_refuse(murk_error *error, const char *text);
 
 /* Checks a struct of a caller, which begins with its size. `type` is the name
- * of the struct and `argument` that of the argument, for the message. The size
- * must be one that the struct may have in some version of the header, and not
- * below min_size. Members behind the first `known` bytes are those of a newer
- * header and must be zeros; known SIZE_MAX: the struct is an output, and these
+ * of the struct and `argument` that of the argument, for the message. Fails
+ * with MURK_BAD_VALUE if the size is 0, below min_size, above STRUCT_MAX
+ * (call.c), or no multiple of the alignment of size_t. Bytes behind the first
+ * `known` bytes are members of a newer header: fails with MURK_UNSUPPORTED
+ * unless all of them are 0. known SIZE_MAX: the struct is an output, whose
  * members are not read. */
 murk_status murk_struct_check(const void *given, size_t min_size, size_t known,
                               const char *argument, const char *type,
                               murk_error *err);
 
-/* Copies the struct of a caller to *known of `size` bytes, after
- * murk_struct_check(): the members that both have. The others stay as they are.
- * given NULL: changes nothing. */
+/* Checks the struct of a caller by murk_struct_check(), and copies the members
+ * that it has to *known of `size` bytes; other members of *known stay as they
+ * are. given NULL: changes nothing and returns MURK_OK. */
 murk_status murk_options_copy(void *known, size_t size, const void *given,
                               const char *argument, const char *type,
                               murk_error *err);
 
-/* Fails because of a value in an argument. The place is "argument NAME", which
- * is neither a file nor a key. */
+/* Fails with MURK_BAD_VALUE because of the value of an argument. The place of
+ * the failure is "argument NAME", which is neither a file nor a key. */
 murk_status murk_call_bad_argument(murk_error *err, const char *name,
                                    const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -185,39 +205,44 @@ void murk_scene_release(murk_scene *scene);
 void murk_world_release(murk_world *world);
 
 /* Builds a world unless it is built already. murk_world_create() does not build
- * the world of a scene with conditions to place over, because the files of all
- * conditions are imported before any world is built. */
+ * the world of a scene with conditions to place over (the key placement.over),
+ * because the files of all conditions are imported before any world is built.
+ */
 murk_status murk_world_build(murk_world *world, murk_error *err);
 void murk_light_release(murk_light *light);
 
-/* Makes the fields of the object `of` by a table of results, unless *fields has
- * fields already. */
+/* Makes the fields of the object `of` by the table `list` (results/fields.h),
+ * unless *fields has fields already. Fails with MURK_NO_MEMORY, and *fields is
+ * then empty. */
 murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
                              const void *of, murk_error *err);
 void murk_fields_release(murk_fields *fields);
 
-/* The first returns the array of that name, or NULL if the list has none. The
- * second adds an array of zeros, which the list owns, and returns NULL when out
- * of memory. */
+/* murk_made_find() returns the data of the array of that name, or NULL if the
+ * list has none. murk_made_add() adds an array of zeros, which the list owns,
+ * and returns its data, or NULL when out of memory. */
 void *murk_made_find(const murk_made *list, const char *name);
 void *murk_made_add(murk_made **list, const char *name, size_t bytes,
                     murk_error *err);
 void murk_made_release(murk_made *list);
 
-/* Fills a view of the caller: a dense array unless strides are changed
- * afterwards. */
+/* Makes *view, a struct of the caller with its size, describe a dense array at
+ * `data`, in the order of C. For another order, change view->stride afterwards.
+ * Fails if view is NULL, and as murk_struct_check(). */
 murk_status murk_array_fill(murk_array *view, const void *data, murk_type type,
                             int dimensions, const size_t *shape, bool is_copy,
                             murk_error *err);
 size_t murk_type_bytes(murk_type type);
 
-/* Reads element i of a flat walk in the order of C as a double. */
+/* Returns element i of an array as a double. Elements are counted in the order
+ * of C: the last index is the fastest. */
 double murk_array_number(const murk_array *view, size_t i);
 size_t murk_array_count(const murk_array *view);
 
-/* Fails with MURK_BAD_VALUE unless the view has at least the size of
- * murk_array, that many dimensions, a known type, and data if its shape is not
- * empty. */
+/* Checks a view that a caller gives as the argument `name`. Fails with
+ * MURK_BAD_VALUE if the view is NULL, smaller than murk_array, of another
+ * number of dimensions or of an unknown type, or if it has elements and data is
+ * NULL; and as murk_struct_check(). */
 murk_status murk_array_check(const murk_array *view, int dimensions,
                              const char *name, murk_error *err);
 

@@ -56,8 +56,8 @@ static murk_status receive(void *context, const murk_record_batch *records,
                      : MURK_OK;
 }
 
-/* If `path` is NULL, traces the light, and hands batches to `batches` unless
- * that is NULL. If not, reads the light from the file `path`. */
+/* If `path` is NULL, traces the light, and hands each batch to `batches` unless
+ * `batches` is NULL. If `path` is not NULL, reads the light from that file. */
 static murk_status light_make(murk_light **out, murk_world *world,
                               const char *path, receiver *batches,
                               murk_error *error)

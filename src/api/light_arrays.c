@@ -1,6 +1,7 @@
 /* Arrays of light: the fields of records, and the values of tallies. A field
- * that records store in the requested form is a view with the stride of a
- * record. A packed field is unpacked once. */
+ * that records store in the form of murk_light_array() (murk.h) is a view of
+ * the records, with the stride of a record. A packed field, and the positions
+ * of a scene far from 0, are copied once for each map or batch. */
 #include "api/handles.h"
 
 #include <stdio.h>
@@ -8,7 +9,7 @@
 
 /* ---- records ---- */
 
-/* A field that records store in this form. */
+/* A field that records store in the form of murk_light_array(). */
 typedef struct stored_field {
     const char *name;
     size_t offset, columns; /* columns 0: one number a record */
@@ -60,7 +61,8 @@ static const packed_field packed_fields[] = {
     {"normal", 3, MURK_TYPE_FLOAT32, unpack_normal},
     {"event_class", 0, MURK_TYPE_UINT8, unpack_class}};
 
-/* Records of one map, and the list of arrays that are made of them. */
+/* Records of one map, of a light or of a batch, and the list of the arrays that
+ * are made of these records. */
 typedef struct record_set {
     const murk_photon *photon;
     size_t n;
@@ -76,7 +78,8 @@ static const murk_photon_map *map_of(const murk_light *light, murk_map map)
 }
 
 /* Records of a scene far from 0 have positions relative to a local origin. This
- * function copies them, in the coordinates of the scene file, as doubles. */
+ * function copies the positions as doubles in the coordinates of the scene
+ * file, unless there is a copy already. */
 static murk_status far_positions(const record_set *set, murk_array *view,
                                  murk_error *err)
 {
@@ -186,8 +189,8 @@ size_t murk_batch_count(const murk_batch *batch, murk_map map)
                                     : batch->records->n_surface;
 }
 
-/* Begins no murk_call, because it is called by the receiver of batches, within
- * the murk_call of murk_light_stream(). */
+/* This function begins no murk_call, because the caller's receiver of batches
+ * calls it within the murk_call of murk_light_stream(). */
 murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
                              murk_array *view, murk_error *error)
 {
@@ -268,8 +271,9 @@ static murk_status fill_tally(murk_array *view, const double *values, int bands,
     return status;
 }
 
-/* Returns the values of all bands and cells, followed by their standard errors.
- * NULL when out of memory. */
+/* Returns the values of all cells, band by band, followed by their standard
+ * errors in the same order. The light owns the array, which is made at the
+ * first call for the tally. NULL when out of memory. */
 static double *read_tally(murk_light *light, size_t tally, murk_error *err)
 {
     const murk_traced *t = light->session.traced;

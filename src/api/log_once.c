@@ -1,5 +1,5 @@
-/* Filters notes so that each is shown once. Notes that differ only in their
- * numbers count as the same note. */
+/* Filters notes so that each is shown once. Notes that differ only in digits,
+ * '.' and '-', the characters of numbers, count as the same note. */
 #include "api/log_once.h"
 
 #include <ctype.h>
@@ -7,9 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PART_SIZE 4100 /* a row's notes are shorter */
+/* Bytes for one note; those of a row are shorter (MURK_ROW_TEXT_SIZE). */
+#define PART_SIZE 4100
 
-/* Copies a note without its numbers, as a line of its own: "\nnote\n". */
+/* Copies a note without the characters of numbers, between two line ends:
+ * "\nnote\n". The copy is cut to PART_SIZE. */
 static void strip_numbers(char out[PART_SIZE], const char *note, size_t length)
 {
     size_t n = 0;

@@ -1,6 +1,7 @@
 /* Chooses columns of a coverage matrix from a file, without any world, and
- * writes the choice as murk place --matrix. The columns are the candidates of a
- * placement problem, the rows what they cover. */
+ * writes the choice as murk place --matrix does. The columns are the candidates
+ * of a placement problem, the rows are the photons that the candidates cover.
+ */
 #include "api/matrix_plan.h"
 
 #include "api/matrix_settings.h"
@@ -14,12 +15,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MATRIX_SHARE 0.7 /* of the free memory, as for a scene's */
+/* Share of the free memory that the matrix of the solver may take, as in
+ * plan/plan.c. */
+#define MATRIX_SHARE 0.7
 
 /* ---- the choice ---- */
 
-/* Makes the arrays of the plan, and the rows that its columns cover
- * together. */
+/* Makes the arrays of p->covers, and *combined without any column yet, which is
+ * released by the caller, also after a failure. */
 static murk_status set_aside(murk_matrix_plan *p, murk_combined_rows *combined,
                              murk_error *err)
 {
@@ -35,7 +38,8 @@ static murk_status set_aside(murk_matrix_plan *p, murk_combined_rows *combined,
                : murk_no_memory(err, p->file, "for the plan");
 }
 
-/* Measures what the chosen columns cover, alone and together. */
+/* Fills p->covers (results/matrix.h): what the chosen columns cover, alone and
+ * together. */
 static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
                            murk_error *err)
 {
@@ -48,7 +52,7 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
         murk_combined_rows_release(&combined);
         return status;
     }
-    /* The weight that each column covers alone. */
+    /* The weight that each column covers alone, in units of 1 / MURK_CLEAR. */
     for (size_t k = 0; k < n; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, p->place.sensor[k], &row);
@@ -59,7 +63,8 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
         murk_combined_rows_add(&combined, (uint32_t)k, &row);
         c->sum += c->alone[k];
     }
-    /* The weight that no other chosen column covers. */
+    /* The weight that would be lost without a column: from the row of each
+     * column if detection is by probability, else for all columns at once. */
     for (size_t k = 0; k < n && combined.dose; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, p->place.sensor[k], &row);
@@ -82,8 +87,8 @@ static murk_status measure(murk_matrix_plan *p, const murk_problem *problem,
     return MURK_OK;
 }
 
-/* Chooses the columns. In run.sense_s stands the time to make the matrix of the
- * solver. */
+/* Chooses the columns and measures what they cover. run.sense_s is the time to
+ * make the matrix of the solver, run.place_s the time to choose. */
 static murk_status choose(murk_matrix_plan *p, murk_error *err)
 {
     murk_problem problem =
@@ -136,8 +141,8 @@ static murk_status begin_folder(murk_session *session, murk_error *err)
 
 /* ---- the handle ---- */
 
-/* Reads settings and matrix, and refuses what murk_plan_save() would refuse;
- * then chooses. */
+/* Reads settings and matrix, and fails if murk_plan_save() would refuse the
+ * folder or the options; then chooses. */
 static murk_status make(murk_matrix_plan *p, const murk_scene *scene,
                         const char *folder, const murk_save_options *options,
                         murk_error *err)
@@ -219,8 +224,9 @@ murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
 
 /* ---- files ---- */
 
-/* Sets the identity: of all settings, and of the contents of the matrix unless
- * the caller says what was asked, which then has the contents of the file. */
+/* Sets the identity of the results: a hash that covers all settings. It covers
+ * options->asked if that is not NULL, which must then name the contents of the
+ * matrix by a checksum; else it covers the checksum of the matrix. */
 static murk_status identify(const murk_matrix_plan *p, murk_session *session,
                             const murk_save_options *options, murk_error *err)
 {

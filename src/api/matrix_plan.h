@@ -1,5 +1,5 @@
-/* Plans over a coverage matrix: the part of a murk_plan that stands in place of
- * a world. */
+/* Plans for a coverage matrix from a file: the member `matrix` of a murk_plan
+ * (api/handles.h), which has no world then. */
 #ifndef MURK_API_MATRIX_PLAN_H
 #define MURK_API_MATRIX_PLAN_H
 

@@ -1,5 +1,5 @@
 /* Reads the keys of a scene that have a meaning for a coverage matrix, by the
- * key table of scenes, and holds the goal against the matrix. */
+ * key table of scenes (scene/keys.h), and completes the goal by the matrix. */
 #include "api/matrix_settings.h"
 
 #include "api/scene.h"
@@ -45,7 +45,9 @@ static murk_status check_key(const murk_override *override, murk_error *err)
                      "with a matrix there is no such key; there are %s", list);
 }
 
-/* Reads the keys that the caller has set; the last value of a key counts. */
+/* Reads the keys that the caller has set; the last value of a key counts. Fails
+ * if a key is not one of KEYS, or for a value that the key does not take or a
+ * kind of detection that a matrix does not take. */
 static murk_status read_keys(murk_scene_desc *asked, const murk_scene *scene,
                              murk_error *err)
 {
@@ -107,7 +109,8 @@ murk_status murk_matrix_settings(murk_matrix_plan *p, const murk_scene *scene,
                      goals);
 }
 
-/* Takes the cost of each column from the file, or 1. */
+/* Makes the constraint of the budget: the cost of each column is that of the
+ * file, or 1 if the file has no costs. */
 static murk_status price(murk_matrix_plan *p, murk_error *err)
 {
     const murk_sparse_matrix *m = p->matrix;
