@@ -1,4 +1,5 @@
-/* Pictures: a camera of the scene renders the light of a world. */
+/* Pictures: a camera of the scene renders the world of a light, from the photon
+ * maps or by path tracing (render/render.h). */
 #include "api/save.h"
 
 #include "api/scene_picture.h"
@@ -18,7 +19,8 @@ struct murk_picture {
     murk_image *image;
 };
 
-/* The camera of that name, or the first one. */
+/* Sets *out to the camera of that name; name NULL: to the first camera. Fails
+ * with MURK_BAD_VALUE if there is none. */
 static murk_status find_camera(const murk_scene_camera **out,
                                const murk_scene_desc *scene, const char *name,
                                murk_error *err)
@@ -130,7 +132,8 @@ typedef struct group {
     int n;
 } group;
 
-/* The array of "NAME.k", or of "NAME"; NULL if there is none. */
+/* The array of a channel: "NAME.k" is array k of the group NAME, "distance_m"
+ * an array without a group. NULL if the picture has no such channel. */
 static float *channel_of(const murk_image *p, const char *channel)
 {
     const group groups[] = {
@@ -183,7 +186,7 @@ murk_status murk_picture_write(const murk_picture *picture, const char *path,
     const murk_image *p = picture->image;
     const bool is_all_round =
         picture->camera->projection == MURK_SCENE_EQUIRECTANGULAR;
-    /* The commit is the mark by which murk knows its own images. */
+    /* MURK_MARK_IMAGE is the mark by which murk recognises its own images. */
     const murk_image_text header[] = {{MURK_MARK_IMAGE, murk_version_commit()},
                                       {"murkVersion", MURK_VERSION},
                                       {"murkScene", scene->path},

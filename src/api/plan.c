@@ -21,7 +21,8 @@ static murk_plan *make(murk_world *world)
     return plan;
 }
 
-/* Copies the times of tracing, sensing and placing to the record of the run. */
+/* Copies the times of tracing, of building maps, of sensing and of placing to
+ * the facts of the run. */
 static void take_times(murk_plan *plan)
 {
     murk_run_facts *run = &plan->session.run;
@@ -71,7 +72,8 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
                                         session->traced, threads, err);
 }
 
-/* light NULL: the light is traced by this call. */
+/* Makes a plan over the conditions of the world, or, if there are none to place
+ * over, for the given light. light NULL: the light is traced by this call. */
 static murk_status plan_make(murk_plan **out, murk_world *world,
                              murk_light *light, murk_error *error)
 {
@@ -120,7 +122,8 @@ murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
                         : murk_call_refuse(error, "out or light is NULL");
 }
 
-/* Begins a call in the context of the plan. */
+/* Begins a call in the context of the plan, with the files in memory of the
+ * world, or of the scene if the plan is for a matrix. */
 static murk_call begin(const murk_plan *plan, murk_error *error)
 {
     const murk_world *world = plan->world;
@@ -191,8 +194,9 @@ murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
 
 /* ---- results ---- */
 
-/* Sets *out to the results of a plan, for a session that borrows the plan.
- * *repeated is filled, and *out refers to it, if the plan was repeated. */
+/* Sets *out to the results of a plan in the form of results/plan.h, with the
+ * given session. If the plan was repeated, fills *repeated, which must then
+ * outlive *out. */
 static murk_status results_of(murk_plan_results *out,
                               murk_repeat_results *repeated,
                               const murk_plan *plan,

@@ -167,7 +167,7 @@ murk_status murk_scene_set(murk_scene *scene, const char *key,
     return murk_call_end(&call, add_key(scene, key, value, &call.failure));
 }
 
-/* True if the caller has set this key or a map that contains it. */
+/* True if the caller has set this key, or a map that contains the key. */
 static bool is_set(const murk_scene *scene, const char *key)
 {
     for (size_t i = 0; i < scene->n; ++i) {
@@ -257,7 +257,8 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
 
 /* ---- values ---- */
 
-/* A scalar: a number, true, false or null by its form, else a text. */
+/* A scalar as JSON: null, true, false or a number if the scalar has the form of
+ * one (scene/yaml.h), else a string. */
 static cJSON *json_of_scalar(const murk_yaml *node)
 {
     double number = 0;
@@ -298,7 +299,8 @@ static murk_yaml *child_of(const murk_yaml *node, const char *part)
     return node->kind == MURK_YAML_LIST && i < node->n ? node->child[i] : NULL;
 }
 
-/* Follows the path of a key; NULL if the tree has no such key. */
+/* The node at the path of a key; the root if the path is empty. NULL if the
+ * tree has no such key. */
 static murk_yaml *find_key(murk_yaml *root, const char *key)
 {
     murk_key_position at = murk_key_path_root(root);
@@ -333,7 +335,7 @@ static murk_status get(murk_scene *scene, const char *key, const char **json,
         status = murk_fail(err, MURK_BAD_VALUE, where,
                            "the resolved scene has no such key");
     }
-    /* The text lives until the next call. */
+    /* Keep the text for the caller until the next call with this scene. */
     cJSON *value = node ? json_of(node) : NULL;
     cJSON_free(scene->value);
     scene->value = value ? cJSON_PrintUnformatted(value) : NULL;

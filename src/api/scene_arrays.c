@@ -1,5 +1,6 @@
-/* Arrays of the caller as files in memory (base/memory_files.h): checks shapes
- * and values, and copies them into the form of the code that reads them. */
+/* Arrays of the caller as files in memory (base/memory_files.h): checks shapes,
+ * and the values of meshes and grids, and copies the values into the form of
+ * the code that reads them, unless the caller lends the arrays. */
 #include "api/handles.h"
 
 #include "base/file.h"
@@ -12,7 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Adds a file to the scene. */
+/* Adds a file to the scene, and takes ownership of `data`, which release(data)
+ * releases, also on failure. */
 static murk_status add(murk_scene *scene, const char *name,
                        murk_memory_kind kind, void *data,
                        void (*release)(void *data), const uint64_t checksum[2],
@@ -60,7 +62,8 @@ static void release_mesh(void *data)
     }
 }
 
-/* Copies the coordinates, which must be finite; `to` NULL: only checks. */
+/* Copies the coordinates, which must be finite as floats; `to` NULL: only
+ * checks. */
 static murk_status copy_vertices(float *to, const murk_array *vertices_m,
                                  murk_error *err)
 {
@@ -80,7 +83,8 @@ static murk_status copy_vertices(float *to, const murk_array *vertices_m,
     return MURK_OK;
 }
 
-/* Copies the indices, which must be below `end`; `to` NULL: only checks. */
+/* Copies the indices, which must be whole numbers from 0 and below `end`; `to`
+ * NULL: only checks. */
 static murk_status copy_indices(uint32_t *to, const murk_array *from,
                                 size_t end, const char *name, murk_error *err)
 {
@@ -139,8 +143,8 @@ static murk_status check_mesh(const murk_array *vertices_m,
     return MURK_OK;
 }
 
-/* True if the values of the array lie one behind the other, in the order of
- * C. */
+/* True if the array has this type, and the values of its two dimensions lie one
+ * behind the other, in the order of C. */
 static bool is_dense(const murk_array *values, murk_type type)
 {
     const ptrdiff_t bytes = (ptrdiff_t)murk_type_bytes(type);
@@ -148,8 +152,9 @@ static bool is_dense(const murk_array *values, murk_type type)
            values->stride[0] == bytes * (ptrdiff_t)values->shape[1];
 }
 
-/* Checks all arrays of a mesh and copies them, or with `lends` takes vertices
- * and triangles as they are. Materials are always copied. */
+/* Checks the values of all arrays of a mesh and copies the arrays; with `lends`
+ * takes the arrays of vertices and triangles as they are. The materials are
+ * always copied; material NULL: all triangles have material 0. */
 static murk_status fill_mesh(murk_mesh *mesh, const murk_array *vertices_m,
                              const murk_array *triangles,
                              const murk_array *material,
@@ -227,7 +232,8 @@ add_mesh(murk_scene *scene, const char *name, const murk_array *vertices_m,
     mesh->vertices = vertices_m->shape[0];
     mesh->triangles = triangles->shape[0];
     mesh->materials = n_names > 0 ? n_names : 1;
-    /* A mesh that is refused stays the caller's, so nothing is released. */
+    /* The arrays of a mesh that is refused stay the caller's: lent->release is
+     * not set before the mesh is added. */
     lent->is_lent = release != NULL;
     status = fill_mesh(mesh, vertices_m, triangles, material,
                        n_names > 0 ? names : NULL, lent->is_lent, err);
@@ -273,7 +279,8 @@ static void release_grid(void *data)
     free(samples);
 }
 
-/* True if value (i, j, k) lies at i + nx (j + ny k). */
+/* True if the values are floats, and value (i, j, k) is element
+ * i + shape[0] (j + shape[1] k) of the data. */
 static bool is_x_fastest(const murk_array *values)
 {
     const ptrdiff_t bytes = sizeof(float);
@@ -357,7 +364,7 @@ static murk_status add_grid(murk_scene *scene, const char *name,
         free(copy);
         return status;
     }
-    /* The checksum covers the values, the size and the place. */
+    /* The checksum covers the values, the size and index_to_world. */
     uint64_t sums[3][2], sum[2];
     murk_checksum(samples->value, murk_array_count(values) * sizeof(float),
                   sums[0]);

@@ -1,5 +1,5 @@
 /* Turns a camera of a scene into a camera of src/render, and a world with
- * its light into the input of a rendering. */
+ * traced light into the input of a rendering. */
 #include "api/scene_picture.h"
 
 murk_camera murk_camera_of_scene(const murk_scene_camera *c,
@@ -41,7 +41,8 @@ murk_render murk_render_of_stage(const murk_stage *stage,
                           .surface = traced ? traced->surface : NULL,
                           .volume = traced ? traced->volume : NULL,
                           .threads = threads};
-    /* The edges of each band, for the colours. */
+    /* The edges of each band, for the colours; of a band without edges, the
+     * wavelength twice. */
     for (int b = 0; b < scene->bands; ++b) {
         const bool edges = scene->has_edges;
         render.from_nm[b] = edges ? scene->band_edge_nm[b] : scene->band_nm[b];

@@ -1,13 +1,14 @@
-/* Cameras of a scene, and renderings of a world from its light: what the
- * library and murk render share. */
+/* The camera and the input of a rendering (render/render.h), made of a scene,
+ * a world and traced light: functions that the library and the
+ * command murk render share. */
 #ifndef MURK_API_SCENE_PICTURE_H
 #define MURK_API_SCENE_PICTURE_H
 
 #include "lightmap/lightmap.h"
 #include "render/render.h"
 
-/* The camera of a scene with its own number of pixels, or with pixels[0] x
- * pixels[1] if they are above 0. */
+/* A camera of a scene, with pixels[0] x pixels[1] pixels; pixels[0] 0: with the
+ * numbers of pixels that the scene gives the camera. */
 murk_camera murk_camera_of_scene(const murk_scene_camera *camera,
                                  const murk_scene_desc *scene,
                                  const size_t pixels[2]);

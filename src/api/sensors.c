@@ -1,5 +1,6 @@
-/* Lists of sensors of a world: from a file, from a plan, or one by one, checked
- * against the sensor types and the domain of the scene. */
+/* Lists of sensors of a world: from a file, from a plan, or one by one. Those
+ * from a file or one by one are checked against the sensor types and the domain
+ * of the scene. */
 #include "api/handles.h"
 
 #include "plan/placement_in.h"
@@ -116,7 +117,9 @@ void murk_sensors_destroy(murk_sensors *sensors)
     }
 }
 
-/* The pose that a sensor describes. */
+/* Sets *out to the pose that a sensor describes. Fails with MURK_BAD_VALUE if
+ * the scene has no such type, if a type with a view has no direction, or if the
+ * position is outside of the domain. */
 static murk_status pose_of(murk_pose *out, const murk_world *world,
                            const murk_sensor *sensor, murk_error *err)
 {

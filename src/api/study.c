@@ -1,5 +1,6 @@
-/* Studies: reads a study file, runs its rows, each group of rows in the process
- * that the context chooses, and holds the values of all rows. */
+/* Studies: reads a study file, runs its rows, each group of rows
+ * (cases/sweep.h) in the process that `imports` of the context chooses, and
+ * holds the values of all rows. */
 #include "api/log_once.h"
 #include "api/save.h"
 
@@ -42,7 +43,8 @@ static void warn_of_failure(const murk_study *study, size_t row)
     }
 }
 
-/* Passes the failure and the notes of a finished row to the log. */
+/* Passes the failure of a finished row to the log, and those of its notes that
+ * no earlier row had (api/log_once.h). */
 static void report_row(void *context, size_t row)
 {
     murk_study *study = context;
@@ -55,7 +57,7 @@ static void report_row(void *context, size_t row)
     }
 }
 
-/* Copies the folder and the keys of the caller. */
+/* Copies the folder, and the keys with their values, of the caller. */
 static murk_status take_options(murk_study *study,
                                 const murk_study_options *options,
                                 murk_error *err)
@@ -82,9 +84,9 @@ static murk_status take_options(murk_study *study,
     return status;
 }
 
-/* Reads the base scene, which the rows change. The study has none if the base
- * scene is not valid without the values of a row. No warnings are given,
- * because the rows give them. */
+/* Reads the base scene, in which each row sets keys. study->session.scene stays
+ * NULL if the base scene is not valid without the values of a row. Warnings are
+ * dropped, because the notes of the rows have them. */
 static void read_base(murk_study *study)
 {
     murk_error why = {0};
@@ -128,7 +130,8 @@ static murk_status read_study(murk_study *study, const char *path,
         return status;
     }
     read_base(study);
-    /* Rows whose scenes could not be read have failed already. */
+    /* Warn of the rows that have failed already, because their scenes or the
+     * files of these scenes could not be read. */
     for (size_t i = 0; i < study->file->rows; ++i) {
         if (study->sweep->row[i].is_done) {
             warn_of_failure(study, i);
@@ -216,9 +219,9 @@ murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
 
 /* ---- files ---- */
 
-/* Sets the identity of the results. It covers options->asked, the checksum of
- * the study file and the hash of each row (murk_sweep_row.key), which covers
- * all that the row follows from. */
+/* Sets the identity of the results: a hash of options->asked, the seed, the
+ * checksum of the study file and the key of each row (murk_sweep_row.key in
+ * cases/sweep.h), which is a hash of all that the row follows from. */
 static murk_status identify(const murk_study *study, murk_session *session,
                             const murk_save_options *options, murk_error *err)
 {
@@ -266,7 +269,8 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
     return murk_call_end(&call, status);
 }
 
-/* Adds the grids of the rows to the list of result files. The rows have written
+/* Adds the grids of the rows that are done and have not failed to the list of
+ * result files, if the study has the output fluence. The rows have written
  * these files already. */
 static murk_status note_fluence(const murk_study *study, murk_session *session,
                                 murk_error *err)
@@ -284,7 +288,8 @@ static murk_status note_fluence(const murk_study *study, murk_session *session,
     return status;
 }
 
-/* The table, the base scene and the grids; the JSON comes last. */
+/* A murk_save_work (api/save.h): adds the table, the base scene if it could be
+ * read, the grids, and last study.json. */
 static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
                         murk_error *err)

@@ -22,8 +22,8 @@ murk_status murk_world_build(murk_world *world, murk_error *err)
     return status;
 }
 
-/* Reads the scene, tells of keys without effect, and builds unless there are
- * conditions to place over. */
+/* Reads the scene, passes the notes and warnings of murk_scene_tell() to the
+ * log, and builds the world unless there are conditions to place over. */
 static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
 {
     if (!murk_memory_copy(&world->files, &scene->files)) {
