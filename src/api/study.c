@@ -270,7 +270,7 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
 }
 
 /* Adds the grids of the rows that are done and have not failed to the list of
- * result files, if the study has the output fluence. The rows have written
+ * result files, if the study has the output fluence_vdb. The rows have written
  * these files already. */
 static murk_status note_fluence(const murk_study *study, murk_session *session,
                                 murk_error *err)

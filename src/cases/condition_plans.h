@@ -52,7 +52,8 @@ typedef struct murk_condition_plans {
      * regret of the chosen plan to the true optima. */
     double regret, regret_lower, regret_upper;
     /* With the objective regret, for conditions of weight above 0: coverage by
-     * all candidates, as a share in units of 1 / MURK_SHARE_ONE. */
+     * all candidates, as a share in units of 1 / MURK_SHARE_ONE
+     * (placement/blocks.h). */
     uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plans;
 
@@ -66,9 +67,11 @@ double murk_condition_plans_regret(const murk_condition_plans *plans,
 /* Releases all plans and the conditions, also after a failure. */
 void murk_condition_plans_release(murk_condition_plans *plans);
 
-/* Checks the scene before light is traced, and fills the conditions of *out,
- * and the candidates and poses of the plan. Fails with MURK_BAD_VALUE for keys
- * that have no meaning together with placement.over. */
+/* Checks the scene before light is traced, imports and builds the worlds of the
+ * conditions of *out, and finds the candidates and poses of the plan. Fails
+ * with MURK_BAD_VALUE for keys that have no meaning together with
+ * placement.over, and as murk_conditions_create() and the functions that find
+ * candidates. */
 murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                                          murk_plan_result *plan,
                                          const murk_scene_desc *scene,
@@ -77,7 +80,7 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
 /* Traces the light of the conditions, chooses the plans and measures them,
  * after murk_condition_plans_prepare(). The fields in_sample, held_out and
  * confirmed of the plan are those of the mean, or of the condition that the
- * objective looks at. With several conditions and an objective other than the
+ * objective looks at. Over conditions and with an objective other than the
  * regret, the total of in_sample is the value of the problem of all scenarios
  * (cases/scenarios.h), because the bound is one of that value; the error of the
  * total is measured. If all conditions are dark, the result is that of

@@ -11,8 +11,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Plans for comparison get a tenth of the work of branch and bound, except with
- * `method: exact`, which has no other search (a choice). */
+/* Plans for comparison with `method: best` get a tenth of the nodes of branch
+ * and bound: a choice that saves time. With `method: exact`, which has no other
+ * search, they get all nodes. */
 #define NODES_TO_COMPARE 10
 
 _Static_assert(MURK_SCENE_CONDITIONS_MAX <= MURK_BLOCKS_MAX,
@@ -119,9 +120,9 @@ static murk_status choose_all(choosing *ch, murk_error *err)
     const bool is_regret = objective == MURK_SCENE_OBJECTIVE_REGRET;
     murk_status status = MURK_OK;
     size_t block = 0;
-    /* The plan that is asked for comes first, because the plans to compare
-     * with take its number of sensors. A plan of least regret needs the plans
-     * of the conditions first. */
+    /* The plan that is asked for is chosen first, because the plans for
+     * comparison take the number of sensors of this plan. A plan of least
+     * regret is chosen later: it needs the own plans of the conditions. */
     ch->desc = murk_scenarios_desc(ch->scenarios, objective);
     murk_place_desc asked = ch->desc;
     if (!is_regret) {

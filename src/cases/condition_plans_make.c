@@ -1,9 +1,9 @@
 /* Makes the plan of a scene as it stands, which is one condition, and the plans
- * over several conditions: lights every condition, chooses the plans,
- * and measures each plan in each condition, on the light that chose it and on
- * held-out light. The figures of one plan over all conditions are the mean, or
- * the figures of the condition that the objective looks at: the worst one, or
- * the one in which the regret is largest. */
+ * over several conditions: lights every condition, chooses the plans, and
+ * measures each plan in each condition, on the light that chose it and, if the
+ * scene asks for it, on held-out light. The figures of one plan over all
+ * conditions are the mean, or the figures of the condition that the objective
+ * looks at: the worst one, or the one in which the regret is largest. */
 #include "cases/condition_plans.h"
 
 #include "base/progress.h"
@@ -74,8 +74,8 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
 
 /* ---- measuring ---- */
 
-/* The number of an earlier plan with the same sensors as plan p, if neither is
- * the chosen plan; else p. */
+/* The number of the first earlier plan with the same sensors in the same order
+ * as plan p, if neither of the two is the chosen plan; p if there is none. */
 static size_t find_same(const murk_condition_plans *plans, size_t p)
 {
     for (size_t q = 0; q < p; ++q) {

@@ -86,8 +86,10 @@ void murk_conditions_destroy(murk_conditions *all)
     free(all);
 }
 
-/* A copy for free() of a scene, whose parts stay those of the original. A later
- * run has another seed and no jitter. NULL when out of memory. */
+/* Returns a copy of the struct of a scene, whose pointers are those of the
+ * original; the caller frees the copy with free(). If `later` is above 0, the
+ * seed is greater by `later`, and there is no jitter. NULL when out of memory.
+ */
 static murk_scene_desc *scene_again(const murk_scene_desc *scene,
                                     uint32_t later)
 {
@@ -208,10 +210,11 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
                            lights, (stay + more) / 1e9, have / 1e9);
 }
 
-/* Traces the light of one condition, or takes that of an earlier condition, and
- * builds the sight unless the condition is dark. If targets replace photons,
- * the scene as it stands is not traced (unless detection needs light), but
- * conditions are, because their light is part of the results. */
+/* Traces the light of one condition unless it has light already, or takes the
+ * light of an earlier condition, and builds the sight unless the condition is
+ * dark. If targets replace photons, the scene as it stands is not traced
+ * (unless detection needs light), but conditions are, because their light is
+ * part of the results. */
 static murk_status light_one(murk_conditions *all, size_t c, unsigned threads,
                              murk_error *err)
 {

@@ -3,11 +3,12 @@
  * it stands is a set of one condition.
  *
  * Light is traced once for each condition; conditions with equal light keys
- * share one light. A condition of weight 0 is lit and measured, and has a plan
- * of its own for comparison, but no part in the plan over the conditions. In a
- * dark condition there is nothing to see: plans are chosen for the other
- * conditions, and the coverage of the dark one is null (plan/dark.c). If every
- * condition that has a weight is dark, all conditions count as dark. */
+ * (murk_stage.light_key) share one light. A condition of weight 0 is lit and
+ * measured, and has a plan of its own for comparison, but no part in the plan
+ * over the conditions. In a dark condition there is nothing to see: plans are
+ * chosen for the other conditions, and the coverage of the dark one is null
+ * (plan/dark.c). If every condition that has a weight is dark, all conditions
+ * count as dark. */
 #ifndef MURK_CASES_CONDITIONS_H
 #define MURK_CASES_CONDITIONS_H
 
@@ -36,8 +37,9 @@ typedef struct murk_condition {
 
 typedef struct murk_conditions {
     const murk_scene_desc *scene; /* borrowed */
-    murk_scene_desc *again; /* owned copy of it: of murk_conditions_again() */
-    bool is_scene;          /* one condition: the scene as it stands */
+    murk_scene_desc *again;       /* owned copy that `scene` points to, of
+                                   * murk_conditions_again(); else NULL */
+    bool is_scene;                /* one condition: the scene as it stands */
     size_t n;    /* number of conditions in which there is something to see; 0
                   * if none of them has a weight above 0 */
     size_t dark; /* number of the other conditions, which follow the first n

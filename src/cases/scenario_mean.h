@@ -17,10 +17,11 @@ void murk_mean_add(murk_mean *mean, murk_estimate of, double weight);
  * bound for dependent estimates. */
 murk_estimate murk_mean_of(const murk_mean *mean, bool are_independent);
 
-/* The mean of whole coverage results of[n], each with as many sensors and
- * regions of interest. weight[n] is 0 or more, and a result of weight 0 is left
- * out. Counts of photons are summed. Release *out with
- * murk_coverage_result_release(). Fails with MURK_NO_MEMORY. */
+/* The mean of whole coverage results of[n], each with the given numbers of
+ * sensors and of regions of interest. Each weight[n] is 0 or more, at least one
+ * is above 0, and a result of weight 0 is left out. Counts of photons are
+ * summed. Release *out with murk_coverage_result_release(). Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_scenario_mean_coverage(murk_coverage_result *out,
                                         const murk_coverage_result *of,
                                         const double *weight, size_t n,

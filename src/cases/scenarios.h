@@ -8,11 +8,12 @@
  *
  * The weights of the photons are scaled block by block, so that the sum over a
  * block is proportional to the weight of its scenario in the mean, and then
- * rounded. Rounding moves the weight of a photon by at most half a unit: less
- * than 2^-20 of the mean photon of its scenario up to 2^25 photons in all,
- * unless the weights of the scenarios or the photons of one scenario differ so
- * much that the lightest photons lose digits to the 32 bits of the heaviest. A
- * single scenario keeps its weights. */
+ * rounded. Rounding changes the weight of a photon by at most half a unit. With
+ * a redundancy of 1, up to 2^25 photons in all, and scenarios of about equal
+ * numbers of photons, this is less than 2^-20 of the mean weight in the
+ * scenario of the photon, unless the weights of the scenarios or those of the
+ * photons of one scenario differ so much that the heaviest photon would exceed
+ * 32 bits. A single scenario keeps its weights. */
 #ifndef MURK_CASES_SCENARIOS_H
 #define MURK_CASES_SCENARIOS_H
 

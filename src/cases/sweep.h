@@ -3,8 +3,9 @@
  * Rows whose light differs only by the power of their lights are a group, whose
  * light is traced once (lightmap/scaled_light.h). Each group runs in a
  * subprocess (base/isolated.h), so that files are imported before any ray
- * device exists, and so that its memory ends with it, or in the calling process
- * if the host says so. A row that fails leaves the other rows alone.
+ * device exists, and so that the memory of the group ends with the subprocess;
+ * or in the calling process, if the host says so. A row that fails leaves the
+ * other rows alone.
  *
  * A finished row is stored in FOLDER/rows, in a file named by a hash of
  * everything that the row follows from: the resolved scene, the files that it
@@ -20,7 +21,8 @@
 typedef struct murk_sweep_row {
     murk_study_row found;
     char key[65];
-    size_t group;
+    size_t group;    /* index into murk_sweep.group; SIZE_MAX: the row failed
+                      * before rows were grouped */
     bool is_done;    /* found is filled; also if the row failed */
     bool has_plans;  /* found holds the coverage of the plans for all rows */
     bool is_reused;  /* taken over from an earlier run */
@@ -51,7 +53,8 @@ typedef struct murk_sweep_plan {
     murk_study_row found;
     char key[65];
     /* Mean over the rows that have a value. The standard error is the mean of
-     * theirs, an upper bound, because rows share their random numbers. */
+     * the standard errors of these rows, which is an upper bound, because rows
+     * share their random numbers. */
     murk_estimate mean;
     murk_estimate worst;
     size_t worst_row; /* number of the row with the worst coverage; the number
@@ -108,11 +111,12 @@ bool murk_sweep_lacks_values(const murk_sweep_row *row);
 /* Reads the scenes of all rows, and the stored rows of earlier runs; traces
  * nothing. A row whose scene cannot be read has failed; the study fails if all
  * rows have. The study also fails if the command line sets a key of an axis, if
- * an output is unknown or lacks something it needs, if a plan for all rows is
- * asked for and rows differ in sensors or placement, if a file in the folder
- * may not be replaced, or with MURK_INTERRUPTED or MURK_NO_MEMORY. *out is the
- * caller's: murk_sweep_destroy(). The desc is copied; the objects that it
- * points to must outlive *out. */
+ * an output is unknown or lacks something it needs, if the file of the given
+ * placement cannot be read, if a plan for all rows is asked for and rows differ
+ * in sensors or placement, if a grid in the folder may not be replaced, or with
+ * MURK_INTERRUPTED or MURK_NO_MEMORY. *out is the caller's:
+ * murk_sweep_destroy(). The desc is copied; the objects that it points to must
+ * outlive *out. */
 murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
                               murk_error *err);
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */

@@ -1,6 +1,7 @@
-/* Chooses the plans for all rows of a study, in a process of its own: imports
- * and lights the worlds of the rows that take part, joins them as scenarios
- * (cases/scenarios.h), and sends each plan that is asked for. */
+/* Chooses the plans for all rows of a study, in the process that the host
+ * chooses (base/isolated.h): imports and lights the worlds of the rows that
+ * take part, joins the rows as scenarios (cases/scenarios.h), and sends each
+ * plan that is asked for and is not reused. */
 #include "cases/sweep_work.h"
 
 #include "base/log.h"

@@ -37,8 +37,9 @@ size_t murk_sweep_job_left(const murk_sweep_job *job)
     return left;
 }
 
-/* Reads the scene of row k. The rows were keyed by the scene as it was when the
- * study was read. */
+/* Reads the scene of row k. Fails if the file of the base scene has changed
+ * since the study was read, because the keys of the rows belong to the scene as
+ * it was then. */
 static murk_status read_scene(murk_sweep_light *l, size_t k, murk_error *err)
 {
     const murk_sweep_desc *desc = &l->sweep->desc;

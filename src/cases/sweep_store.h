@@ -1,7 +1,7 @@
 /* The stored rows of a study: FOLDER/rows has one small file for each row,
- * named by the key of the row, one for each plan for all rows, and one for the
- * coverages of these plans in each row. Also runs the subprocesses that send
- * rows. For use inside src/cases only. */
+ * named by the first 32 digits of the key of the row, one for each plan for all
+ * rows, and one for the coverages of these plans in each row. Also runs the
+ * subprocesses that send rows. For use inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_STORE_H
 #define MURK_CASES_SWEEP_STORE_H
 
