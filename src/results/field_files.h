@@ -34,9 +34,10 @@ typedef struct murk_voxel_field {
     float *value;        /* [voxels], x fastest; finite */
 } murk_voxel_field;
 
-/* The largest numbers: for a plan four fields of each band and the extinction;
- * for a tally, of B > 1 bands, 4 B + 2: photon density, fluence rate and their
- * errors, and the density summed over the bands with its error. */
+/* The largest number of fields: for a plan five of each band (four and the
+ * extinction). A tally has fewer, for B > 1 bands 4 B + 2: photon density,
+ * fluence rate and their errors, and the density summed over the bands with its
+ * error. */
 #define MURK_VOXEL_FIELDS_MAX (5 * MURK_BANDS_MAX)
 
 /* Fields on one box. */

@@ -34,7 +34,7 @@ static void list_parameter(murk_results_fields *fields, const void *of,
     if (!MURK_LISTED_IF(fields, !f->only_predicts)) {
         return;
     }
-    /* A prediction does not search, so the other fields have no value. */
+    /* A prediction does not search, so the other fields are left out. */
     MURK_NUMBER(fields, "standard_error", "", "of value", c->standard_error[k]);
     MURK_NUMBER(fields, "lower", "", "95 % confidence limit", c->lower[k]);
     MURK_NUMBER(fields, "upper", "", "95 % confidence limit", c->upper[k]);
@@ -342,7 +342,7 @@ static void print_parameter(const murk_fit_facts *f, size_t k)
     murk_print("\n");
 }
 
-/* Prints the components of a direction that are at least 0.1. */
+/* Prints the components of a direction whose absolute value is at least 0.1. */
 static void print_direction(const murk_fit_facts *f, const double *direction)
 {
     bool is_first = true;

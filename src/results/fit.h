@@ -16,8 +16,8 @@ typedef struct murk_fit_facts {
     bool only_predicts;
 } murk_fit_facts;
 
-/* Lists the fields of fit.json and predict.json, except `run`. `of` points to a
- * murk_fit_facts. */
+/* Lists the fields of fit.json and predict.json, except `identity`, `files` and
+ * `run`. `of` points to a murk_fit_facts. */
 void murk_results_list_fit(murk_results_fields *fields, const void *of);
 
 /* Lists the columns of fit.csv. `of` points to a murk_fit_facts; i: index of

@@ -16,8 +16,9 @@ static const char *format_name(murk_matrix_format format)
     return name[format];
 }
 
-/* Converts a value in weight * clarity to the unit of the weights in the
- * file. */
+/* Converts a value, the sum of weight * clarity over the columns that count for
+ * each row, to the unit of the weights in the file. A row that as many columns
+ * cover as the redundancy says counts with the weight of the row. */
 static double as_given(const murk_matrix_plan *p, uint64_t value)
 {
     return (double)value / MURK_CLEAR / p->matrix->unit / p->redundancy;
@@ -186,7 +187,7 @@ void murk_matrix_plan_print(const void *of)
                "%%)\n",
                p->file, format_name(m->format), m->rows, m->columns, entries,
                100.0 * (double)entries / (double)m->rows / (double)m->columns);
-    /* The table of the chosen columns. */
+    /* The table of the first chosen columns. */
     murk_print("columns     %8s  %8s %10s%s\n", "", "covers", "only it",
                m->name ? "  name" : "");
     for (size_t k = 0; k < place->count && k < MURK_PRINTED_ROWS; ++k) {

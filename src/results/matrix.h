@@ -16,10 +16,11 @@ typedef struct murk_covering {
     uint64_t sum, whole_rows; /* sum of alone[]; weight of all rows */
 } murk_covering;
 
-/* The state of the command, whose parts are filled as it proceeds. */
+/* A plan for a matrix, whose members are filled as the matrix is read, columns
+ * are chosen and the plan is measured. */
 typedef struct murk_matrix_plan {
     murk_session session; /* without scene, stage and light */
-    const char *file;     /* path of the matrix, as named by the user */
+    const char *file;     /* path of the matrix, as named by the caller */
     murk_sparse_matrix *matrix;
     murk_place_desc desc;
     murk_detection detection;
@@ -27,13 +28,14 @@ typedef struct murk_matrix_plan {
     double target, budget;        /* 0: not asked for */
     murk_constraints constraints; /* used if there is a budget */
     int64_t *cost;                /* [matrix->columns]; cost of each column, in
-                                     units of the constraints */
+                                     units of MURK_COST_UNIT (plan/poses.h);
+                                     NULL without a budget */
     murk_place_result place;
     murk_covering covers;
 } murk_matrix_plan;
 
-/* The first lists the fields of plan.json except `run`, the second prints the
- * summary. `of` points to a murk_matrix_plan. */
+/* The first lists the fields of plan.json except `identity`, `files` and `run`,
+ * the second prints the summary. `of` points to a murk_matrix_plan. */
 void murk_results_list_matrix_plan(murk_results_fields *f, const void *of);
 void murk_matrix_plan_print(const void *of);
 

@@ -89,6 +89,8 @@ typedef struct murk_mesh_export {
                              the .vtp file; the first is what ParaView shows by
                              default */
     murk_vec3 (*position)(const void *context, size_t i); /* of point i */
+    /* Writes to `out` the record of triangle i, or of point i if there are no
+     * triangles. */
     void (*record)(const void *context, size_t i, void *out);
     const void *context;
 } murk_mesh_export;

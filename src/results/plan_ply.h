@@ -26,7 +26,7 @@
  *
  * Binary, little endian. Octahedra are 1/100 of the diagonal of the domain
  * wide, and the edges of views are 1/50 of the diagonal long. Fails with
- * MURK_NO_MEMORY, or as murk_results_add() does. */
+ * MURK_NO_MEMORY or MURK_INTERRUPTED, or as murk_results_add() does. */
 murk_status murk_add_plan_ply(murk_results *results, const char *name,
                               const murk_stage *stage, murk_sight *sight,
                               const murk_pose *sensor, size_t n,

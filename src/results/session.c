@@ -1,6 +1,7 @@
-/* Reads the light from a file. Writes the files that most commands have in
- * common: the light, the ledger, the resolved scene and the main JSON; and
- * checks beforehand that none of the run's files would be refused. */
+/* Reads the names of exports, and the light from a file. Writes the files that
+ * most commands have in common: the light, the ledger, the resolved scene and
+ * the main JSON; and checks beforehand that none of the run's files would be
+ * refused. Prints the lines about light, times and files. */
 #include "results/session.h"
 
 #include "results/json.h"

@@ -80,7 +80,8 @@ murk_status murk_session_add_ledger(murk_session *session, const char *name,
  * `name` (NULL: it is not added), and moves all files into place
  * (murk_results_show()). Then prints the JSON with --format json, else, unless
  * quiet, the summary. print(of) prints the summary, which also becomes
- * run.summary; NULL: there is none. Deletes root in any case. */
+ * run.summary; print NULL: there is none. session->document becomes the text of
+ * the JSON, also after a failure to write it. Deletes root in any case. */
 murk_status murk_session_finish(murk_session *session, const char *name,
                                 cJSON *root, murk_print_results *print,
                                 const void *of, murk_error *err);

@@ -1,5 +1,5 @@
-/* Prints the rows of a study as a table on the terminal, with as many columns
- * and rows as there is room for. */
+/* Prints the rows of a study as a table on the terminal: the first ROWS_MAX
+ * rows, with all axes and as many values as fit the width. */
 #include "results/study_print.h"
 
 #include "results/summary.h"

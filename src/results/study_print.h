@@ -1,6 +1,6 @@
 /* The summary of a study. A table shows the first 24 rows of the study, with
  * all axes and as many values as fit 80 columns. Values of single bands are
- * left out. table.csv has everything. */
+ * left out. table.csv has all values of the rows that are done. */
 #ifndef MURK_RESULTS_STUDY_PRINT_H
 #define MURK_RESULTS_STUDY_PRINT_H
 

@@ -28,7 +28,8 @@ static _Thread_local struct {
     cJSON *list; /* used while lines are collected; NULL when out of memory */
 } lines;
 
-/* Column at which a broken line goes on: that at which its text begins. */
+/* Column at which a broken line goes on: the column at which the text of the
+ * line begins, behind a label or blanks; 2 if the line has neither. */
 static size_t indent_of(const char *line)
 {
     const size_t lead = strspn(line, " ");

@@ -7,7 +7,8 @@
  * Lines of more than 80 bytes, also rows of tables, are broken between words;
  * the rest is indented like the text of the line. Characters in names and paths
  * that a terminal might act on, and line feeds in them, are shown escaped
- * (base/utf8.h). To be called from the main thread only. */
+ * (base/utf8.h). A line that has not ended, and the list of collected lines,
+ * belong to the calling thread. */
 #ifndef MURK_RESULTS_SUMMARY_H
 #define MURK_RESULTS_SUMMARY_H
 

@@ -1,5 +1,5 @@
-/* States the build: commit, date, compiler and package versions, which
- * cmake/build_header.cmake looks up at every build. */
+/* States the build: commit, date and package versions, which
+ * cmake/build_header.cmake looks up at every build, and the compiler. */
 #include "results/version.h"
 
 #include "murk_build.h" /* made by cmake/build_header.cmake at every build */
