@@ -53,9 +53,9 @@ murk_status murk_study_row_set_sensors(murk_study_row *row,
                                        const murk_scene_desc *scene,
                                        const murk_pose *sensor, size_t n,
                                        murk_error *err);
-/* The sensors as poses in the coordinates of the scene: *out[row->sensors] is
- * for free(). Fails with MURK_BAD_VALUE if the scene lacks a sensor type, or
- * with MURK_NO_MEMORY. */
+/* The sensors as poses in the coordinates of the scene. The caller frees the
+ * array (*out)[row->sensors] with free(). Fails with MURK_BAD_VALUE if the
+ * scene lacks a sensor type, or with MURK_NO_MEMORY. */
 murk_status murk_study_row_poses(murk_pose **out, const murk_study_row *row,
                                  const murk_scene_desc *scene, murk_error *err);
 /* Appends a text to a list of notes, "; " between. A text that does not fit is

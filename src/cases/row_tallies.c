@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Approximate number of cells of the grid of the fluence rate. On an axis for
- * which the study gives a size, that size is the number of cells instead (a
- * choice). */
+/* Approximate number of cells of the grid of the fluence rate, a choice. On an
+ * axis for which the study gives a size, that size is the number of cells
+ * instead. */
 #define FLUENCE_CELLS 32768
 
 static void note(murk_row_tallies *g, const char *text, const char *name)
@@ -130,7 +130,7 @@ murk_status murk_row_tallies_create(murk_row_tallies *out,
 {
     const murk_scene_desc *scene = stage->scene;
     const murk_box *domain = &stage->world.domain.box;
-    /* Room for every tally of the scene, every region, the domain and the
+    /* Space for every tally of the scene, every region, the domain and the
      * grid. */
     const size_t maximum = scene->n_tallies + scene->placement.n_interests + 2;
     *out = (murk_row_tallies){.study = outputs->study,
@@ -211,8 +211,9 @@ static murk_estimate divide(murk_estimate e, const murk_estimate *share)
                : (murk_estimate){NAN, NAN};
 }
 
-/* Adds the value of one cell, divided by the share: the sum over all bands, and
- * if there are several bands the value in each. */
+/* Adds the value of one cell, times the factor per_unit of the tally and
+ * divided by the share: the sum over all bands, and if there are several bands
+ * the value in each. */
 static void add_values(murk_study_row *row, const murk_row_tallies *row_tallies,
                        size_t number, size_t cell, const char *suffix,
                        const murk_estimate *share, const murk_stage *stage,

@@ -1,9 +1,10 @@
 /* Packs the work on a study into a request for murk-rows, and makes the same
  * study of the request there.
  *
- * The request has what the study does not follow from: the state of the rows
- * and the plans that were chosen. The study file and the scenes of the rows are
- * read again; a study file that has changed is refused. */
+ * The request has what the study file and the scenes do not say: options,
+ * checksums, the state of the rows and the plans that were chosen. The study
+ * file and the scenes of the rows are read again; a study file that has changed
+ * is refused. */
 #include "cases/sweep_jobs.h"
 
 #include "cases/sweep_work.h"

@@ -43,8 +43,9 @@ static murk_status print_world(FILE *to, const signing *s, murk_error *err)
                : no_memory(err);
 }
 
-/* Prints what the own key is a hash of: version, units and outputs, the whole
- * scene, and checksums of the files. */
+/* Prints what the own key is a hash of: version, units, size of the grid of the
+ * fluence rate, outputs, the whole scene, and checksums of the file of the
+ * given placement and of the files of the scene. */
 static murk_status print_row(FILE *to, const signing *s, murk_error *err)
 {
     const murk_study_file *study = s->outputs->study;

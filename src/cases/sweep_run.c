@@ -1,9 +1,10 @@
-/* Runs a study. Each group of rows is measured in a subprocess of its own, so
- * one row that fails leaves the other rows alone. Then the plans for all rows
- * are made, as far as the study asks for them: one for the mean of the
- * coverages and one for the worst row. The rows that take part are picked, the
- * plans are chosen in one subprocess (sweep_choose.c), and a subprocess for
- * each group measures them in the rows of the group. */
+/* Runs a study. Each group of rows is measured in a subprocess of its own, or
+ * in this process if the host says so (base/isolated.h). A row that fails
+ * leaves the other rows alone. Then the plans for all rows are made, as far as
+ * the study asks for them: one for the mean of the coverages and one for the
+ * worst row. The rows that take part are picked, the plans are chosen in one
+ * subprocess (sweep_choose.c), and a subprocess for each group measures them in
+ * the rows of the group. */
 #include "cases/sweep.h"
 
 #include "base/file.h"

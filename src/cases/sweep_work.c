@@ -1,6 +1,7 @@
-/* The subprocess of one group of a study: imports the scenes of its rows,
- * traces their light, measures each row and sends it. Warnings become the
- * notes of the row that they concern. */
+/* The work on one group of rows, in the process that the host chooses: imports
+ * the scenes of the rows, traces the light, and measures and sends each row.
+ * Warnings become notes of the row that they concern; those of the imports
+ * become notes of all rows. */
 #include "cases/sweep_work.h"
 
 #include "base/log.h"
@@ -19,8 +20,8 @@ typedef struct group_work {
     const murk_sweep_job *job;
     murk_isolated *isolated;
     murk_sweep_light light;
-    /* Warnings of the imports, and of building the first world; and those that
-     * were not taken yet. */
+    /* Warnings of the imports (of_world), those of building the first world
+     * (of_first), and those that were not taken yet (warnings). */
     char of_world[MURK_ROW_TEXT_SIZE], of_first[MURK_ROW_TEXT_SIZE];
     char warnings[MURK_ROW_TEXT_SIZE];
     size_t done; /* rows of the study */

@@ -1,5 +1,6 @@
-/* The work of a study in a process of its own: on the rows of a group, and the
- * choice of the plans for all rows. Inside this room only. */
+/* The work of a study in the process that the host chooses (base/isolated.h):
+ * on the rows of a group, and the choice of the plans for all rows. For use
+ * inside src/cases only. */
 #ifndef MURK_CASES_SWEEP_WORK_H
 #define MURK_CASES_SWEEP_WORK_H
 
