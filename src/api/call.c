@@ -126,9 +126,10 @@ static bool may_be_name(const murk_error *error)
 
 /* Splits the place of an error into the members file, line, column and key.
  * "FILE:LINE:COLUMN: KEY" sets all of them; every part but FILE may be absent.
- * "set KEY=VALUE", "NAME KEY" with the name of a setting, and the path of a key
- * set `key` alone. The name of a setting alone, and an argument, set none. A
- * key that follows ": " takes precedence over others. */
+ * "set KEY=VALUE", and "NAME KEY" with the name of a setting, set `key` alone.
+ * If may_be_name() is true, the path of a key in the key table sets `key` alone
+ * as well, and the name of a setting sets none; else both count as files. An
+ * argument sets none. A key behind ": " takes precedence over another key. */
 static void split_place(murk_error *error)
 {
     char place[sizeof error->where];

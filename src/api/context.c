@@ -1,6 +1,6 @@
-/* Contexts: a context has a host (base/host.h), which holds the threads, the
- * imports and the request to stop, and passes messages and progress to the
- * functions of the caller. */
+/* Contexts: a context has a host (base/host.h), which holds the limit on
+ * threads, the process of imports and the request to stop, and which passes
+ * messages and progress to the functions of the caller. */
 #include "api/handles.h"
 
 #include "base/host_make.h"

@@ -226,9 +226,10 @@ void *murk_made_add(murk_made **list, const char *name, size_t bytes,
                     murk_error *err);
 void murk_made_release(murk_made *list);
 
-/* Makes *view, a struct of the caller with its size, describe a dense array at
- * `data`, in the order of C. For another order, change view->stride afterwards.
- * Fails if view is NULL, and as murk_struct_check(). */
+/* Makes *view, a struct of the caller whose member `size` is set, describe a
+ * dense array at `data`, in the order of C. For another order, change
+ * view->stride afterwards. Fails with MURK_BAD_VALUE if view is NULL, and as
+ * murk_struct_check(). */
 murk_status murk_array_fill(murk_array *view, const void *data, murk_type type,
                             int dimensions, const size_t *shape, bool is_copy,
                             murk_error *err);

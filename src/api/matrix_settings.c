@@ -46,8 +46,8 @@ static murk_status check_key(const murk_override *override, murk_error *err)
 }
 
 /* Reads the keys that the caller has set; the last value of a key counts. Fails
- * if a key is not one of KEYS, or for a value that the key does not take or a
- * kind of detection that a matrix does not take. */
+ * if a key is not one of KEYS, if a value is wrong, or if the mode of detection
+ * is one that a matrix does not take (base/detection.h). */
 static murk_status read_keys(murk_scene_desc *asked, const murk_scene *scene,
                              murk_error *err)
 {
