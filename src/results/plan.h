@@ -40,8 +40,8 @@ typedef struct murk_plan_results {
 murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
                                              const murk_plan_result *plan);
 
-/* The first lists the fields of plan.json except `run`, the second prints the
- * summary. `of` points to a murk_plan_results. */
+/* The first lists the fields of plan.json except `identity`, `files` and `run`,
+ * the second prints the summary. `of` points to a murk_plan_results. */
 void murk_results_list_plan(murk_results_fields *f, const void *of);
 void murk_print_plan(const void *of);
 

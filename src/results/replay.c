@@ -1,6 +1,7 @@
-/* Traces one photon again and lists each of its events. A photon follows from
- * the seed, the scene and its number alone, so that the batch up to the photon
- * is traced and the events of all other photons are dropped. */
+/* Traces one photon again and lists each event of the photon. A photon follows
+ * from the seed, the scene and the number of the photon alone, so no earlier
+ * batch is traced. The photons of the batch are traced up to this photon, and
+ * the events of the others are dropped. */
 #include "results/replay.h"
 
 static const char *const kind_name[] = {

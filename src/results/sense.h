@@ -12,8 +12,8 @@ typedef struct murk_sense_results {
     const murk_robust *robust;
 } murk_sense_results;
 
-/* The first lists the fields of coverage.json except `run`, the second prints
- * the summary. `of` points to a murk_sense_results. */
+/* The first lists the fields of coverage.json except `identity`, `files` and
+ * `run`, the second prints the summary. `of` points to a murk_sense_results. */
 void murk_results_list_sense(murk_results_fields *f, const void *of);
 void murk_print_sense(const void *of);
 
