@@ -43,13 +43,12 @@ void murk_fields_release(murk_fields *fields)
  * last, because it is found by a short walk from the first item. */
 #define SHORT_LIST 8
 
-/* Item i of a list; NULL if there is none. If fields->last is an item of this
- * list and not behind item i, the walk begins there, so that the time to read a
- * list in order is in proportion to the length of the list; else the walk
- * begins at the first item. An item with an index below SHORT_LIST is not
- * remembered: it may belong to a short list inside an item of a long list, such
- * as a position of three numbers, and would take the place of the item of the
- * long list. */
+/* Item i of a list; NULL if there is none. If fields->last.item is of this list
+ * and not behind item i, the walk begins there, so that the time to read a list
+ * in order is in proportion to the length of the list; else the walk begins at
+ * the first item. An item with an index below SHORT_LIST is not remembered: it
+ * may belong to a short list inside an item of a long list, such as a position
+ * of three numbers, and would take the place of the item of the long list. */
 static const cJSON *item_of(const murk_fields *fields, const cJSON *list, int i)
 {
     murk_fields *memory = (murk_fields *)fields;

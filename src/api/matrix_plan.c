@@ -224,9 +224,9 @@ murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
 
 /* ---- files ---- */
 
-/* Sets the identity of the results: a hash that covers all settings. It covers
- * options->asked if that is not NULL, which must then name the contents of the
- * matrix by a checksum; else it covers the checksum of the matrix. */
+/* Sets the identity of the results: a hash that covers all settings and
+ * options->asked; if options->asked is NULL, also the checksum of the matrix.
+ * If it is not NULL, the caller has named the contents of the matrix there. */
 static murk_status identify(const murk_matrix_plan *p, murk_session *session,
                             const murk_save_options *options, murk_error *err)
 {

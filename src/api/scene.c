@@ -335,7 +335,7 @@ static murk_status get(murk_scene *scene, const char *key, const char **json,
         status = murk_fail(err, MURK_BAD_VALUE, where,
                            "the resolved scene has no such key");
     }
-    /* Keep the text for the caller until the next call with this scene. */
+    /* Keep the text for the caller until the next murk_scene_get(). */
     cJSON *value = node ? json_of(node) : NULL;
     cJSON_free(scene->value);
     scene->value = value ? cJSON_PrintUnformatted(value) : NULL;

@@ -130,8 +130,8 @@ static murk_status read_study(murk_study *study, const char *path,
         return status;
     }
     read_base(study);
-    /* Warn of the rows that have failed already, because their scenes or the
-     * files of these scenes could not be read. */
+    /* Warn of the rows that have failed already, because their scenes could not
+     * be read or their keys (cases/sweep_keys.h) could not be made. */
     for (size_t i = 0; i < study->file->rows; ++i) {
         if (study->sweep->row[i].is_done) {
             warn_of_failure(study, i);
