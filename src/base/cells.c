@@ -88,8 +88,10 @@ static murk_status grow(murk_cells *cells, murk_error *err)
 {
     const size_t capacity =
         cells->capacity ? 2 * cells->capacity : FIRST_BUCKETS / 2;
-    /* Twice the capacity in all arrays; arrays that have grown before a failure
-     * stay valid. */
+    /* Double the capacity (FIRST_BUCKETS / 2 points at first), with two buckets
+     * for each point. If an allocation fails, the table stays as it was: `next`
+     * and `hash` may be longer than before, but keep their values, and the old
+     * buckets remain. */
     uint32_t *next = realloc(cells->next, capacity * sizeof *next);
     if (next) {
         cells->next = next;

@@ -34,7 +34,8 @@ static inline murk_vec3 murk_scale(double s, murk_vec3 a)
     return (murk_vec3){s * a.x, s * a.y, s * a.z};
 }
 
-/* a + s b: the point at distance s from a along the unit vector b. */
+/* a + s b. If b is a unit vector: the point at the distance s from a in the
+ * direction of b, behind a if s is negative. */
 static inline murk_vec3 murk_along(murk_vec3 a, double s, murk_vec3 b)
 {
     return (murk_vec3){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
