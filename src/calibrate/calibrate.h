@@ -14,10 +14,14 @@
 #include "calibrate/calibration.h"
 
 /* Runs the fit. The caller releases *out (murk_calibration_release()), also
- * after a failure. The fit fails if the first start fails. If the fit is
- * interrupted after some starts have ended, the status is MURK_INTERRUPTED and
- * *out has these starts (starts_done of start[], and best), but none of the
- * results that are computed at the end. */
+ * after a failure. A start is one search from one set of values
+ * (calibrate/search.h). The fit fails if the first start fails, or if any start
+ * fails for lack of memory; any other failure of a later start is only recorded
+ * in out->start[].why. If the fit is interrupted after at least one start has
+ * ended, the status is MURK_INTERRUPTED, and out->best and the first
+ * out->starts_done elements of out->start[] describe the ended starts. The
+ * results that follow from the best start (value, row, covariance and all
+ * others) are not computed then. */
 murk_status murk_calibrate(murk_calibration *out,
                            const murk_calibration_desc *desc, murk_error *err);
 void murk_calibration_release(murk_calibration *calibration);

@@ -56,7 +56,7 @@ typedef struct murk_free_key {
     murk_yaml **list; /* [conditions]; the list; NULL in conditions without the
                        * key, and everywhere if the key is not in a list */
     double step;      /* step of differences relative to the size of the value
-                       */
+                         (murk_free_key_around()) */
 } murk_free_key;
 
 typedef struct murk_free_desc {
@@ -124,19 +124,23 @@ murk_status murk_free_scene(murk_scene_desc **out, const murk_free_keys *keys,
 murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err);
 
-/* Two values around `value` of key k and within the range of the key, for
- * derivatives: df/dvalue = (f(high) - f(low)) / (high - low). Both have the
- * same distance from `value`: 1e-5 of the size of the value, which gives a
- * relative error of some 1e-9, or 2e-2 of the size for keys that change
- * tabulated phase functions, whose nodes are accurate to 1e-5. The size is the
- * value itself for keys that are searched in logarithms, else the absolute
- * value, but at least 1 or the width of the range, whichever is smaller. Near a
- * limit of the range the distance is smaller; if a quarter of the full distance
- * or less is left, one of the two values is `value` itself. */
+/* Two values *low <= `value` <= *high of key k, within the range of the key,
+ * for the derivative df/dvalue = (f(high) - f(low)) / (high - low). The full
+ * distance from `value` is key->step times the size of the value. The step is
+ * 1e-5, with a relative error of the derivative of some 1e-9, or 2e-2 for keys
+ * that change tabulated phase functions, because their nodes are accurate to
+ * 1e-5 only. The size of the value is `value` for keys with is_log, else the
+ * absolute value or, if larger, the smaller of 1 and the width of the range.
+ *
+ * *low and *high are equally far from `value`: by the full distance or, if a
+ * limit of the range is nearer, by the distance of that limit, provided that
+ * this is more than a quarter of the full distance. Otherwise one of them is
+ * `value` itself. The other then is on the side with more space, at the full
+ * distance or at the limit of the range. */
 void murk_free_key_around(const murk_free_keys *keys, size_t k, double value,
                           double *low, double *high);
 
-/* The same with the distance `step`, a share of the size of the value. */
+/* The same with `step` in place of key->step. */
 void murk_free_key_beside(const murk_free_key *key, double step, double value,
                           double *low, double *high);
 

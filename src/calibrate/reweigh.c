@@ -111,13 +111,15 @@ static void follow_turns(const job *j, turns *t, const murk_contribution *of)
 
 /* ---- one contribution ---- */
 
-/* The log ratio of a contribution. Scatterings whose coefficient has become 0
- * are counted separately, because the derivative of the ratio does not follow
- * from a logarithm there. */
+/* The parts of the ratio of one contribution, of which reweigh_one() makes the
+ * ratio. A scattering in a medium whose scattering coefficient is 0 in the
+ * wanted optics has the factor 0 and is only counted, because the derivative of
+ * such a factor does not follow from a logarithm. */
 typedef struct weight {
-    double log_ratio; /* of all other scatterings, of paths and of angles */
-    uint32_t zeros;   /* scatterings that are no longer possible */
-    size_t zero;      /* the medium of one of them */
+    double log_ratio; /* logarithm of all other factors, without that of the
+                         chord */
+    uint32_t zeros;   /* number of scatterings with the factor 0 */
+    size_t zero;      /* index of the medium of one of these */
     double x;         /* optical depth added across the chord */
 } weight;
 
