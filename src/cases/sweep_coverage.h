@@ -4,27 +4,32 @@
 
 #include "cases/sweep_light.h"
 
-/* True if targets take the place of light: the scene has targets, and detection
- * is not by power. */
+/* True if sensors are measured by targets alone, so that no light must be
+ * traced for them: the scene has targets (given or drawn points that take the
+ * place of photon records, plan/targets.h), and the mode of detection is not
+ * `power`, which needs light. */
 bool murk_sweep_needs_no_light(const murk_scene_desc *scene);
 
-/* True if there is something to see in row k: light, or targets in place of
- * it. */
+/* True if there is something to see in row k of the study: a light shines
+ * (murk_sweep_light_shines()), or no light is needed. */
 bool murk_sweep_can_see(const murk_sweep_light *light, size_t k);
 
-/* True if the traced light left records, or targets take the place of light. */
+/* True if the traced light left a record in either map, or no light is needed
+ * (murk_sweep_needs_no_light()). */
 bool murk_sweep_has_seen(const murk_stage *stage, const murk_traced *traced);
 
-/* Adds coverage_fixed and coverage_best, as far as they are asked for, and the
- * sensors of the best plan. `traced` is the light that chooses; if it is NULL
- * or nothing is stored, there is nothing to see and the values are NaN. */
+/* Adds the columns coverage_fixed and coverage_best to the row, as far as they
+ * are asked for, and with coverage_best the sensors of the best plan. `traced`
+ * is the light that chooses the best plan. The columns are NaN if `traced` is
+ * NULL or murk_sweep_has_seen() is false for `traced`. */
 murk_status murk_sweep_measure_coverage(murk_sweep_light *light, size_t k,
                                         murk_study_row *row,
                                         const murk_traced *traced,
                                         murk_error *err);
 
-/* Coverage of a plan on held-out light, or on the light that chose the plan if
- * the scene holds nothing out. NaN if there is nothing to see. */
+/* Coverage of a plan on the held-out stream of light or of drawn targets
+ * (hold_out of the scene); on the stream that chose the plan if the scene holds
+ * nothing out or lists all targets. NaN if there is nothing to see. */
 murk_status murk_sweep_measure(murk_sweep_light *light, size_t k,
                                const murk_pose *sensor, size_t n,
                                murk_estimate *out, murk_error *err);
