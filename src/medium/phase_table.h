@@ -33,16 +33,18 @@ typedef struct murk_phase_rows {
         *angle_deg; /* rising; the first is 0 or 1e-6..10, the last 150..180 */
     const double *phase_per_sr; /* 0, or 1e-30..1e30; any scale */
     const int *line;   /* [rows] line of the file; NULL: not from a file */
-    const char *where; /* "petzold.csv" */
+    const char *where; /* file or place for messages, such as "petzold.csv" */
 } murk_phase_rows;
 
-/* Makes a table. The caller owns *out and releases it with
- * murk_phase_table_destroy(). Fails with MURK_BAD_VALUE if a number is out of
- * range, if no value is above 0, if the first two rows fall as angle^-2 or
- * steeper, since the integral then diverges, or if steep rows need too many
- * nodes or no memory is left for them. The message names the file and, unless
- * all rows are wrong together, the line or row. Fails with MURK_NO_MEMORY if
- * there is no memory for the table. */
+/* Makes a table from rows. The caller owns *out and releases it with
+ * murk_phase_table_destroy(). Fails with MURK_BAD_VALUE if the number of rows,
+ * an angle or a value is outside the limits of murk_phase_rows; if no value is
+ * above 0; if the power law before the first row falls as angle^-2 or steeper,
+ * because its integral to angle 0 diverges; or if, row by row, more than
+ * MURK_PHASE_NODES_MAX nodes (medium/phase_nodes.h) would be needed or the
+ * memory for nodes runs out. The message begins with rows->where and, if one
+ * row is the cause, its line or number. Fails with MURK_NO_MEMORY if there is
+ * no memory for the finished table. */
 murk_status murk_phase_table_create(murk_phase_table **out,
                                     const murk_phase_rows *rows,
                                     murk_error *err);
@@ -56,9 +58,9 @@ murk_status murk_phase_table_fournier_forand(murk_phase_table **out, double n,
                                              murk_error *err);
 void murk_phase_table_destroy(murk_phase_table *table); /* NULL is fine */
 
-/* murk_phase_density() and murk_phase_sample() for a table. The density at
- * mu = 1 is that at the smallest angle whose cosine differs from 1 in double
- * precision. */
+/* murk_phase_density() and murk_phase_sample() (medium/phase.h) for a table.
+ * The density at mu = 1 is that at the smallest angle whose cosine differs from
+ * 1 in double precision. */
 double murk_phase_table_density(const murk_phase_table *table, double mu);
 double murk_phase_table_sample(const murk_phase_table *table, double u);
 
