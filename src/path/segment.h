@@ -2,7 +2,7 @@
  *
  * In a periodic domain the straight line from one point to the nearest image of
  * the other may cross the sides. murk_path_cut() cuts the line there into
- * segments, each of which is moved into the domain. */
+ * segments and moves each segment by whole periods into the domain. */
 #ifndef MURK_PATH_SEGMENT_H
 #define MURK_PATH_SEGMENT_H
 
@@ -21,7 +21,8 @@ typedef struct murk_path_segment {
     murk_vec3 from, to;
 } murk_path_segment;
 
-/* A line crosses at most one side in x and one in y, which cut it into three
+/* The line of murk_path_cut() crosses at most one side perpendicular to x and
+ * at most one perpendicular to y, which cut the line into at most three
  * segments. */
 #define MURK_PATH_SEGMENTS_MAX 3
 
@@ -33,9 +34,10 @@ murk_vec3 murk_path_nearest_image(const murk_domain *domain, murk_vec3 point,
 
 /* Cuts the line at the periodic sides; `from` lies within the domain, `to` at
  * most one period outside. Writes the segments in their order along the line
- * and returns their number, 1..MURK_PATH_SEGMENTS_MAX. The two segments at a
- * cut both extend over the side by `beyond_m` along the line, so that a surface
- * in the plane of the side is met. */
+ * and returns their number, 1..MURK_PATH_SEGMENTS_MAX; 1 if the domain is not
+ * periodic. The two segments at a cut both extend over the side by `beyond_m`
+ * along the line, but not beyond the ends of the line, so that a surface in the
+ * plane of the side is met. */
 int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                   double beyond_m, murk_path_segment *segment);
 
@@ -44,7 +46,7 @@ int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
 bool murk_path_blocked(const murk_surfaces *surfaces, const murk_domain *domain,
                        murk_vec3 from, murk_vec3 to, bool through_sheets);
 
-/* Product of the transmittances of the thin sheets that all segments cross. The
+/* Product of the transmittances of the thin sheets that the segments cross. The
  * segments are those of murk_path_blocked(). */
 double murk_path_sheets(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 from, murk_vec3 to,
