@@ -7,8 +7,10 @@
 
 typedef struct murk_partial_plan {
     const murk_constraint_set *set;
-    size_t wanted; /* sensors of a complete plan; with a budget the maximum */
-    uint32_t *member; /* [size], the fixed sensors first */
+    size_t wanted;    /* sensors of a complete plan; with a budget the largest
+                         number */
+    uint32_t *member; /* [size], in the order in which they were added; callers
+                         add the fixed sensors first */
     size_t size;
     size_t *class_count; /* [classes] members of each class */
     size_t missing;      /* sensors that the minimum counts still need */
@@ -16,20 +18,27 @@ typedef struct murk_partial_plan {
     murk_arena arena;
 } murk_partial_plan;
 
+/* Makes an empty partial plan for plans of set->max_sensors sensors. Borrows
+ * the set. Fails with MURK_NO_MEMORY; *out then owns nothing. */
 murk_status murk_partial_plan_init(murk_partial_plan *out,
                                    const murk_constraint_set *set,
                                    murk_error *err);
 void murk_partial_plan_release(murk_partial_plan *partial);
 
-/* Makes the partial plan empty. wanted is at most the set's max_sensors. */
+/* Removes all members, fixed sensors too, and sets the number of sensors of a
+ * complete plan (with a budget: the largest number). `wanted` must not exceed
+ * set->max_sensors. */
 void murk_partial_plan_clear(murk_partial_plan *partial, size_t wanted);
+/* Adds a candidate, which must pass murk_partial_plan_can_add(); the
+ * constraints are not tested again. drop_last removes the member added last. */
 void murk_partial_plan_add(murk_partial_plan *partial, uint32_t candidate);
 void murk_partial_plan_drop_last(murk_partial_plan *partial);
 
-/* True if adding the candidate keeps all constraints and leaves enough places
- * and budget for the minimum counts. The minimum counts are then reachable for
- * certain only without conflicts. With is_last the plan must also meet all
- * minimum counts after the addition. */
+/* True if the candidate is no member, adding it keeps all constraints, and
+ * enough places and budget are left for the minimum counts. If candidates may
+ * be in conflict, the minimum counts may still turn out not to be reachable.
+ * With is_last the plan must also meet all minimum counts after the
+ * addition. */
 bool murk_partial_plan_can_add(const murk_partial_plan *partial,
                                uint32_t candidate, bool is_last);
 
@@ -37,9 +46,10 @@ bool murk_partial_plan_can_add(const murk_partial_plan *partial,
  * of sensors (with a budget any number). */
 bool murk_partial_plan_is_complete(const murk_partial_plan *partial);
 
-/* Completes the partial plan with any candidates, by depth-first search. False
- * if the search fails: *is_sure says that no complete plan exists; otherwise
- * the search was cut off. */
+/* Adds any candidates that complete the partial plan, by depth-first search.
+ * Returns false if the search fails: *is_sure is true if no complete plan
+ * contains the partial plan, and false if a limit on the work or an interrupt
+ * ended the search, which leaves members added. */
 bool murk_partial_plan_complete(murk_partial_plan *partial, bool *is_sure);
 
 #endif

@@ -1,15 +1,16 @@
 /* The placement problem: the weights of the photons, and the coverage matrix.
  *
- * Entry (j, i) of the coverage matrix is the clarity with which candidate j
- * sees photon i, as a whole number 0..MURK_CLEAR: visibility times
- * transmittance of the sightline, unless another mode of detection
- * (base/detection.h) is chosen. Placement knows no physics. Clarities and
- * weights are whole numbers, so a coverage is an exact integer sum: equal
- * values are equal in every bit, and no sum depends on the order of addition.
+ * Entry clarity_ij of the coverage matrix tells how clearly candidate j sees
+ * photon i, as a whole number 0..MURK_CLEAR. By default the entry is 0 if the
+ * sightline is blocked, and otherwise the transmittance of the sightline times
+ * MURK_CLEAR, rounded; another mode of detection (base/detection.h) gives
+ * another entry. Placement knows no physics.
  *
  * The value of a plan is sum_i weight_i f_i. f_i is computed from the entries
- * of the plan's candidates for photon i; by default f_i is the largest entry,
- * max_j clarity_ij (facility location). */
+ * of the plan's candidates for photon i; by default f_i is the largest of them
+ * (facility location). Weights and f_i are whole numbers, so the value is an
+ * exact integer sum: equal values are equal in every bit, and no sum depends on
+ * the order of addition. */
 #ifndef MURK_PLACEMENT_PROBLEM_H
 #define MURK_PLACEMENT_PROBLEM_H
 

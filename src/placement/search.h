@@ -6,17 +6,18 @@
 #include "placement/scan.h"
 
 /* All functions but murk_search_begin() and murk_search_draw() return the value
- * of plan[n], which has distinct candidates. If the run is interrupted these
- * functions return early, and the plan has no meaning.
+ * of the plan that they leave in plan[], which has distinct candidates. If the
+ * run is interrupted these functions return early, and the plan has no meaning.
  *
  * Under constraints the fixed sensors come first in a plan and never move,
- * every plan tried is feasible, and s->size is the number of sensors: greedy
- * may stop before n, and with a budget a plan has as many sensors as the budget
- * pays, n at most. */
+ * every plan tried is feasible, and s->size is the number of sensors
+ * afterwards: greedy may stop before n, and with a budget a plan has as many
+ * sensors as the budget pays for, n at most. */
 
 /* With constraints: begins a plan of n sensors (with a budget: of at most the
- * set's max_sensors). Puts the fixed sensors in front, unless plan[given]
- * begins with them already. Returns the number of sensors in the plan; without
+ * set's max_sensors) by emptying s->partial. plan[given] must begin with the
+ * fixed sensors, as far as it reaches; the function appends the fixed sensors
+ * that are missing. Returns the number of sensors in the plan; without
  * constraints `given`. */
 size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
                          size_t n);
@@ -30,27 +31,35 @@ size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
 uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
                             size_t n, uint64_t enough, uint64_t *value_after);
 
-/* The random start number `restart`, of n sensors or of as many as the
- * constraints allow. Returns the number of sensors. */
+/* Draws start number `restart` at random: n sensors, or under a budget as many
+ * as the budget pays for. If the sensors drawn under constraints make no
+ * complete plan, the start is s->fallback (placement/scan.h). Returns the
+ * number of sensors in plan[]. */
 size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart);
 
-/* The published SPOQ algorithm from start number `restart`. Two sensors never
- * share a candidate. In the published problem, in which only the largest entry
- * counts, a second sensor at a candidate adds nothing, so this rule matters
- * only if no candidate has a gain. */
+/* The published SPOQ algorithm (placement/place.h) from start number `restart`;
+ * with a budget, each sweep is followed by murk_search_budget_greedy(). Two
+ * sensors never share a candidate. In the published problem only the largest
+ * entry of a photon counts, and a second sensor at a candidate adds nothing, so
+ * this difference matters only if no candidate has a gain. Ends early beyond
+ * s->rows_max, as murk_search_relocate(). */
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
-/* Certified relocation: moves single sensors while that increases the value; a
- * sensor stays on ties. With a budget, sensors that the budget pays are added
- * in between. At the end no single move increases the value, unless the limit
- * s->rows_max ended the search (s->is_cut). */
+/* Certified relocation: moves single sensors that are not fixed to other
+ * candidates while a move increases the value; a sensor stays where it is if no
+ * other candidate gives more. With a budget: when no move increases the value
+ * any more, sensors that the rest of the budget pays for are added, and the
+ * moves begin again until none can be added with a gain. At the end no feasible
+ * move of a single sensor increases the value, unless the limit s->rows_max on
+ * work (placement/scan.h) ended the search, which then sets s->is_cut. */
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
 
-/* With a budget: extends plan[given] by the affordable candidate with the
- * largest gain per cost, until no candidate has a gain; then, class by class,
- * by the cheapest candidates that the minimum counts still need. */
+/* With a budget: extends plan[given]. Each step adds, of the candidates that
+ * can be added, the one with the largest gain per cost. If none has a gain, the
+ * step adds the cheapest candidate of the first class whose minimum count is
+ * not reached. Ends when there is no such candidate either. */
 uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
                                    size_t given);
 
