@@ -77,7 +77,8 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
  * memory. */
 uint64_t murk_plan_matrix_bytes(void);
 
-/* Photon streams of the held-out map and of the map that confirms a target. */
+/* Streams of random numbers: the light, or the drawn targets, of the map that
+ * is held out, and of the map that confirms a target. */
 #define MURK_HELD_OUT_STREAM 1u
 #define MURK_CONFIRM_STREAM  2u
 
@@ -114,9 +115,10 @@ typedef struct murk_plan_result {
     /* [regions of interest]; coverage on the second map; NULL if there
      * is none */
     murk_region_coverage *held_out_region;
-    murk_estimate confirmed; /* with a target: coverage on a third map, or with
-                                at_least the strict share there; without a
-                                target NaN */
+    murk_estimate
+        confirmed; /* with a target: coverage on a third map, or with at_least
+                      the share of photons there that at least so many sensors
+                      see; without a target NaN */
     murk_robust robust;
     double power_radius_m;         /* of detection: power; else 0 */
     size_t power_neighbours;       /* of detection: power; 0 for a fixed radius

@@ -1,8 +1,10 @@
-/* Robustness of a plan. The coverage without a sensor is the total minus the
- * coverage that only this sensor adds. Errors of position and direction are
- * sampled (sensing/jitter.h); the confidence interval of the quantile is
- * distribution-free, by ranks of the binomial distribution
- * (base/quantile.h). */
+/* Robustness of a plan. The coverage that is left without a sensor is the total
+ * minus the coverage that only this sensor adds. For the coverage of sensors
+ * that are installed with errors, position and direction of each sensor are
+ * drawn at random many times (sensing/jitter.h). The confidence interval of the
+ * QUANTILE of these coverages assumes no distribution: its limits are two of
+ * the sorted coverages, whose ranks follow from the binomial distribution
+ * (base/quantile.h). The links between sensors are those of sensing/links.h. */
 #include "plan/robust.h"
 
 #include "base/progress.h"

@@ -37,7 +37,8 @@ typedef struct murk_target_records {
 murk_photon murk_target_of(murk_vec3 place, murk_vec3 normal, int band,
                            uint8_t material);
 
-/* The material or medium of a record that lies on or in none. */
+/* In place of the material or medium of a record that lies on no surface or in
+ * no medium. */
 #define MURK_TARGET_IN_NONE UINT8_MAX
 
 /* The index of the medium with the largest extinction at a place in a band;
