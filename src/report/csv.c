@@ -78,9 +78,12 @@ static size_t write_table(FILE *to, const char *name, const murk_table *table,
     return bytes;
 }
 
-/* Reads and writes one file. A file that the script does not need is left out
- * if it cannot be read, or if *left, the number of bytes left for tables, is 0.
- * Fails if a needed file cannot be read, or with MURK_NO_MEMORY. */
+/* Reads one CSV file and writes it as a table of at most about TABLE_BYTES.
+ * Lowers *left, the number of bytes left for all tables, by about the bytes
+ * written. A file that the script does not need is left out if it is larger
+ * than FILE_BYTES_MAX, if it cannot be read, or if *left is 0; its table is cut
+ * at *left bytes at most. Fails if a file that the script needs cannot be read,
+ * or if there is no memory for a table. */
 static murk_status add_file(FILE *to, const murk_results_in *results,
                             const char *name, size_t *left, murk_error *err)
 {
