@@ -118,7 +118,7 @@ static murk_status add_condition(murk_session *session,
     return status;
 }
 
-/* regret.csv: a line for each plan and condition in which it is used. */
+/* regret.csv: one line for each pair of a plan and a lit condition. */
 void murk_results_list_use(murk_results_fields *f, const void *of, size_t i)
 {
     const murk_condition_plans *r = of;
@@ -266,8 +266,9 @@ static void list_made(murk_results_fields *f, const void *of, size_t i)
                   best_known_of(r, plan, MURK_SCENE_OBJECTIVE_WORST));
 }
 
-/* The largest regret, in sample, and the best coverages that it is measured
- * against. */
+/* Lists how regret is measured, the largest regret of the chosen plan in sample
+ * with two bounds, and for each lit condition the coverage that its regret is
+ * measured against, with an upper bound. */
 static void list_largest(murk_results_fields *f, const murk_condition_plans *r)
 {
     const bool is_lit = r && r->plans > 0;
@@ -290,9 +291,11 @@ static void list_largest(murk_results_fields *f, const murk_condition_plans *r)
               all_of(r, NULL, BEST_UPPER));
 }
 
-/* Whether coverages are held out, the largest regret if the plan is made for
- * it, and each plan with lists of coverage and regret over the lit conditions,
- * in the order of the conditions. */
+/* Lists whether the coverages are measured on second (held-out) maps; if the
+ * scene asks for the smallest largest regret, the fields of list_largest(); and
+ * the plans, one for each condition and the chosen one, each with its coverage
+ * and its regret in every lit condition, in the order of
+ * r->conditions->condition[]. */
 static void list_regret(murk_results_fields *f, const void *of)
 {
     const murk_condition_plans *r = of;
