@@ -1,14 +1,17 @@
-/* Paths of light from a sensor to a photon across one flat boundary between two
- * refractive indices, by Snell's law. For use inside src/sensing only.
+/* Paths of light between a sensor and a photon in media of different refractive
+ * indices, across one flat boundary, by Snell's law. For use inside src/sensing
+ * only.
  *
- * A path goes straight to a flat face (the plane of a half space, a face of a
- * box; of meshes the face that the straight line meets first), is refracted
- * there (sensing/snell.h), and goes straight on to the photon; the index
- * changes nowhere else. There may be several paths, through different faces of
- * a box: the photon is then seen several times, and the largest transmittance
- * counts; with detection by power the signals of all paths add up. If sensor
- * and photon lie in media of the same index, only the straight line is
- * considered. */
+ * A path goes straight from the sensor to a flat face, is refracted there
+ * (sensing/snell.h), and goes straight on to the photon. The face is the plane
+ * of a half space, a face of a box, or that face of a mesh at which the index
+ * first changes on the straight line from the sensor to the photon. A path on
+ * which the index also changes elsewhere, or changes at the boundary of a
+ * sphere, is not found. There may be several paths, through different faces of
+ * a box: the photon is then seen along each path, and the largest transmittance
+ * counts; with detection by power the signals of all paths add up. Photons in a
+ * medium of the same index as at the sensor are not treated here: for these
+ * src/sensing considers the straight line only. */
 #ifndef MURK_SENSING_REFRACT_H
 #define MURK_SENSING_REFRACT_H
 
@@ -19,8 +22,8 @@
 /* The refracting boundaries of a world, prepared once. */
 typedef struct murk_interfaces {
     double near_m; /* faces closer than this to each other count as one */
-    bool any_mesh; /* some mesh is a region that alone has a refractive index
-                      other than 1 */
+    bool any_mesh; /* the index inside some region that is a mesh, looked at
+                      alone, is not 1 */
     size_t n, indices;
     murk_flat flat[MURK_FLATS_MAX];
     double index[MURK_REGIONS_MAX + 1];
@@ -54,10 +57,10 @@ double murk_refracted_paths_range(const murk_interfaces *interfaces,
                                   const murk_path_viewpoint *sensor,
                                   double range_m);
 
-/* Over both parts of a path: the transmittance of the media in a band; whether
- * a surface blocks (thin sheets block unless through_sheets); and the
- * transmittance of thin sheets, of which one that lies in the boundary counts
- * once. */
+/* Over both parts of a path, before and beyond the boundary: the transmittance
+ * of the media in a band; true if a surface blocks either part (thin sheets
+ * block unless through_sheets); and the transmittance of thin sheets, of which
+ * a sheet that lies in the boundary counts once. */
 double murk_refracted_path_transmittance(const murk_refracted_path *path,
                                          const murk_path_viewpoint *sensor,
                                          int band);

@@ -1,10 +1,10 @@
 /* The row of one sensor in the coverage matrix: queries both photon maps for
  * photons within range, tests field of view, band and normal, tests the
- * sightlines against surfaces in blocks, and computes the clarity. Photons
- * beyond an interface are found by sensing/across.h. Writes to the scratch
- * buffers of the worker and to the counters of the sight only. Optical depths
- * along the sightlines of a row are computed with the same routines, without
- * rounding. */
+ * sightlines against surfaces in blocks, and computes the clarity. Sightlines
+ * across an interface are found by sensing/across.h. murk_sight_row() writes to
+ * the scratch buffers of the worker and to the counters of the sight only.
+ * murk_sight_depths() computes the optical depths along sightlines with the
+ * same routines, without rounding. */
 #include "sensing/across.h"
 #include "sensing/nearby.h"
 #include "sensing/sight_parts.h"
@@ -20,14 +20,17 @@ typedef struct row_search {
     murk_sight *sight;
     murk_vec3 sensor;
     murk_path_space space;
-    double range_m, query_m; /* range of the type; radius of the query, which
-                                interfaces may enlarge */
+    double range_m,
+        query_m; /* range of the type, at most sight->max_m; radius of the
+                    query, which is larger than range_m if objects beyond
+                    interfaces may appear nearer than they are */
     const murk_sensor_type *type;
     murk_field field;
-    bool has_filter;               /* the type limits more than the range */
-    uint32_t bands;                /* one bit for each band detected */
-    murk_path_viewpoint viewpoint; /* of the sensor, in that space */
-    murk_across across;            /* if there are interfaces to look through */
+    bool has_filter; /* the type limits the direction, the bands or the smallest
+                        distance */
+    uint32_t bands;  /* one bit for each band detected */
+    murk_path_viewpoint viewpoint; /* of the sensor, in `space` */
+    murk_across across;            /* only with sight->interfaces */
     uint32_t *photon;
     uint16_t *clarity;
     size_t seen;
@@ -97,8 +100,9 @@ static uint16_t clarity_along(const row_search *l, const murk_photon *p,
                           sight->desc.power.band_nm[murk_photon_band(p)]));
 }
 
-/* The clarity along the straight line from `from`, the start of sightlines to
- * the photon. */
+/* The clarity of photon i of its map along the straight line between `from`,
+ * the end of the line at the photon, and the nearest image of the sensor.
+ * Surfaces that block the line have been tested before. */
 static uint16_t clarity_of(const row_search *l, const murk_photon *p, size_t i,
                            murk_vec3 from)
 {
@@ -171,16 +175,17 @@ static bool is_detectable(const row_search *l, const murk_photon *photon,
             murk_field_takes(&l->field, offset, murk_photon_direction(photon)));
 }
 
-/* True if the photon is beyond the range: the query is wider if objects behind
- * interfaces may appear nearer. */
+/* True if the photon is farther from the sensor than range_m. The query finds
+ * such photons because its radius, query_m, may be larger. */
 static bool is_beyond(const row_search *l, murk_vec3 at, murk_vec3 sensor)
 {
     const murk_vec3 offset = murk_sub(at, sensor);
     return !(murk_dot(offset, offset) <= l->range_m * l->range_m);
 }
 
-/* Adds a photon in a medium of another refractive index, if it is visible.
- * `from` is the position, off the surface. */
+/* Adds a photon in a medium of another refractive index than that at the
+ * sensor, if the photon is visible. `from` is the position of the photon, off
+ * the surface. */
 static void add_across(row_search *l, const murk_photon *p,
                        const murk_side *facing, murk_vec3 from, double index,
                        uint32_t first, uint32_t number)
