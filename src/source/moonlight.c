@@ -62,8 +62,10 @@ double murk_visual_extinction(double linke_turbidity, double altitude_m)
            (RAYLEIGH_DEPTH * pressure + OZONE_DEPTH + fmax(aerosol, 0));
 }
 
-/* The scattering function of Krisciunas and Schaefer, of the angle from the
- * moon: the sum of a term for molecules and a term for aerosol. */
+/* The scattering function of Krisciunas and Schaefer at an angle from the
+ * center of the moon: the sum of a term for molecules and a term for aerosol.
+ * Unlike theirs, the term for aerosol is constant within DISC_DEG. Times an
+ * illuminance in foot-candles the function gives nanolamberts. */
 static double scattered(double separation_deg)
 {
     const double c = cos(radians(separation_deg));
