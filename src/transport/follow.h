@@ -1,13 +1,18 @@
-/* Follows a ray through the world like a photon, from a position that is on no
- * surface: the view of a camera, because light paths are reversible.
+/* Follows a ray of a camera through the world as if it were a photon. Light
+ * paths are reversible, so the camera sees the light that arrives at the places
+ * of the ray from there. The ray must start at a position that is on no
+ * surface.
  *
- * At each event the ray continues as light would, by the same roulette, so that
- * radiance divided by the square of the index is carried unchanged: by Fresnel
- * reflectances, mirrors and sheets, by the diffuse reflectance and the cosine
- * law, by albedo and phase function (Veach, Robust Monte Carlo methods for
+ * At each event the ray continues with the probabilities of a photon: of
+ * Fresnel reflectance at interfaces; of the diffuse and specular reflectance
+ * and the transmittance of surfaces, with the cosine law after diffuse
+ * reflection; and of albedo and phase function in media. Absorption ends the
+ * ray by roulette, or lowers the weight of the ray (least_weight in
+ * transport/trace.h). The mean over rays therefore carries radiance divided by
+ * the square of the refractive index (Veach, Robust Monte Carlo methods for
  * light transport simulation, 1997, ch. 5.2).
  *
- * A follower belongs to one thread. */
+ * A follower must not be used by two threads at the same time. */
 #ifndef MURK_TRANSPORT_FOLLOW_H
 #define MURK_TRANSPORT_FOLLOW_H
 

@@ -1,6 +1,8 @@
-/* Events at boundaries, surfaces and sides of the domain (transport/meet.h).
- * The refractive index on each side of a boundary or surface is that of the
- * innermost solid there, else that of the regions. */
+/* Events at boundaries of regions, at surfaces and at sides of the domain
+ * (transport/meet.h). Two kinds of places can have a change of refractive
+ * index: boundaries, and surfaces of solids with an index. There the index on
+ * each side is that of the innermost solid on that side or, outside of all
+ * solids, that of the regions on that side (murk_walker_index()). */
 #include "transport/meet.h"
 
 #include "medium/interfaces.h"
@@ -13,7 +15,8 @@
  * meet the same face again. */
 #define REFLECTED_SKIP 0x1p-20
 
-/* Updates the event class and the number of wraps after a specular event. */
+/* Updates the event class as after a specular event, and sets the number of
+ * wraps without an event to 0. */
 static void note_specular(murk_walker *w)
 {
     if (w->event_class == MURK_CLASS_FIRST) {
@@ -178,9 +181,9 @@ murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
     return fate;
 }
 
-/* Starts the search for surfaces before the position, because a surface may lie
- * in the side of the domain through which the photon enters. Finds the solids
- * that contain the start of the search. */
+/* Starts the search for surfaces a little before the position, because a
+ * surface may lie in the side of the domain through which the photon enters.
+ * Finds the solids that contain the start of the search. */
 static void enter(murk_walker *w)
 {
     w->probe = murk_along(w->path.position, -w->setup->space.margin_m,

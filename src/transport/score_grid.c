@@ -1,8 +1,14 @@
-/* Adds a segment of a photon path to the cells of a grid, by the traversal of
- * Amanatides and Woo (Eurographics 1987, doi:10.2312/egtp.19871000): always
- * through the nearest face ahead. The distances of the faces are computed from
- * their integer indices each time, so that rounding errors do not accumulate,
- * and the pieces of a segment join without gap or overlap. */
+/* Scores a segment of a photon path in a grid tally: each cell gets the length
+ * of the segment within the cell, times the quanta of the photon and the grid's
+ * per_m. Parts of the segment outside of the grid do not count.
+ *
+ * A segment with both ends in one cell is scored at once. Any other is followed
+ * from cell to cell by the traversal of Amanatides and Woo (Eurographics 1987,
+ * doi:10.2312/egtp.19871000), always through the nearest face ahead. The
+ * distance of each face is computed from the integer index of the face, so that
+ * rounding errors do not accumulate. The piece in a cell begins at the distance
+ * at which the last piece ended, so the pieces have neither gaps nor
+ * overlaps. */
 #include "transport/score.h"
 
 #include <math.h>
@@ -12,10 +18,11 @@
 #define STILL 1e-290
 
 typedef struct axis_walk {
-    double at, pace, per_pace; /* in cells; pace: cells per metre */
+    double at, pace, per_pace; /* start of the segment, in cells; cells per
+                                  metre; metres per cell */
     int64_t cell, step;
-    int64_t stride; /* to the next cell ahead */
-    double next_m;  /* distance to the face ahead */
+    int64_t stride; /* of the cell number, to the next cell ahead */
+    double next_m;  /* from the start of the segment to the face ahead */
 } axis_walk;
 
 static inline void see_ahead(axis_walk *w)
