@@ -6,7 +6,8 @@
 
 #include "transport/trace.h"
 
-/* A random direction by the cosine law around the unit normal n. */
+/* A random direction by the cosine law around the unit normal n; u_mu and u_phi
+ * are random numbers in (0, 1). */
 murk_vec3 murk_cosine_law(murk_vec3 n, double u_mu, double u_phi);
 
 /* The result of an event at a surface. */

@@ -1,8 +1,9 @@
 /* The end of a segment at a surface, at the boundary of a region, or at a side
- * of the domain. Each function moves the photon there, scores the segment,
- * reports the event and prepares the next segment. The result is MURK_FATE_NONE
- * if the photon continues. A photon that cannot be followed further is reported
- * as lost instead. For use inside src/transport only. */
+ * of the domain. murk_meet_boundary(), murk_meet_surface() and murk_meet_side()
+ * move the photon there, score the segment, report the event and prepare the
+ * next segment. The result is MURK_FATE_NONE if the photon continues. A photon
+ * that cannot be followed further is reported as lost instead. For use inside
+ * src/transport only. */
 #ifndef MURK_TRANSPORT_MEET_H
 #define MURK_TRANSPORT_MEET_H
 
@@ -14,16 +15,17 @@
 murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead);
 
 /* Absorbs, reflects or transmits the photon at the surface that it hits.
- * path_m: length of the segment; `crossed`: regions with a boundary that lies
- * in this surface. */
+ * path_m: length of the segment; `crossed`: the set of regions with a boundary
+ * that lies in this surface. */
 murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                             murk_inside crossed);
 
-/* Called after a surface that transmitted the photon and in which a face of a
- * boundary mesh lies. If the surface bounds a solid, murk_meet_surface() has
- * crossed the face already. If the surface is a thin sheet, the photon meets
- * the face here, at its position. In both cases the photon then skips the first
- * part of its ray, so that it does not meet the same face again. */
+/* Called after murk_meet_surface() if the surface transmitted the photon and a
+ * face of a boundary mesh lies in the surface. If the surface bounds a solid,
+ * murk_meet_surface() has already taken the photon through the face. If the
+ * surface is a thin sheet, the photon now meets the face, at the present
+ * position. In both cases the next search for boundaries skips the first part
+ * of the ray, so that the photon does not meet the same face again. */
 murk_fate murk_meet_mesh_beyond(murk_walker *w, const murk_hit *hit,
                                 murk_path_boundary *ahead);
 

@@ -1,12 +1,14 @@
 /* Scoring: sums the contributions of one photon to the tallies, segment by
- * segment, and adds them to the tallies at the end of the photon. Cannot fail:
- * all memory is allocated in advance.
+ * segment, and adds the sums to the tallies at the end of the photon. Cannot
+ * fail: all memory is allocated in advance.
  *
- * The path of a photon is a chain of positions. Planes use only this chain,
- * which has no gaps: each segment begins at the end of the previous one, so
- * that the forward minus the backward power of a plane is exactly the power
- * that stays beyond the plane. Lengths use the segments as flown. For use
- * inside src/transport only. */
+ * The path of a photon is a chain of positions. Planes use only this chain.
+ * Each segment begins at the end of the previous one, except where the photon
+ * enters through a periodic side, where the chain continues without a crossing
+ * (murk_score_jump()). The forward minus the backward power of a plane is
+ * therefore exactly the power that has gone to the other side and stayed there,
+ * apart from such jumps. Spheres and grids use the lengths of the segments as
+ * flown. For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_SCORE_H
 #define MURK_TRANSPORT_SCORE_H
 
@@ -43,7 +45,7 @@ typedef struct murk_lattice {
     murk_box box;
     double cells_per_m[3];
     uint32_t size[3];
-    double per_m; /* 1 / diagonal of a cell */
+    double per_m; /* weight of a unit of length: 1 / diagonal of a cell */
     uint32_t first;
 } murk_lattice;
 
@@ -55,7 +57,8 @@ typedef struct murk_tally_bin {
 /* The state of one thread. */
 typedef struct murk_scorer {
     const murk_tallies *tallies;
-    murk_tally_bin *cell; /* of the channel of the current photon */
+    murk_tally_bin
+        *cell; /* [cells] of the channel of the current photon, in `copy` */
     murk_station at;
     double *side;      /* [planes]: signed distance of `at` beyond each plane */
     double *value;     /* [cells]: sums of the current photon; 0 between
@@ -87,20 +90,23 @@ murk_scorer *murk_tallies_scorer(murk_tallies *tallies, unsigned worker);
 /* Begins a photon of a channel. */
 void murk_score_start(murk_scorer *scorer, size_t channel, murk_station at);
 
-/* Adds a straight segment along a unit direction with a number of quanta; as a
- * link of the chain, the segment ends at `at`. */
+/* Adds a straight segment along a unit direction with a number of quanta.
+ * Lengths are taken from `from`, direction and length_m. The chain continues
+ * from its last position to `at`. */
 void murk_score_segment(murk_scorer *scorer, murk_vec3 from,
                         murk_vec3 direction, double length_m, double quanta,
                         murk_station at);
 
-/* Continues the chain at another position, after a periodic side. */
+/* Continues the chain at another position, to which the photon was moved by a
+ * periodic side. No plane counts as crossed in between. */
 void murk_score_jump(murk_scorer *scorer, murk_station at);
 
 /* Ends the photon and adds the sums to the tallies. takes_back: subtracts them
  * instead. */
 void murk_score_end(murk_scorer *scorer, bool takes_back);
 
-/* Adds a segment to a grid (score_grid.c). */
+/* Adds the part of a segment that lies in a grid, for each cell
+ * (transport/score_grid.c). */
 void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
                         murk_vec3 from, murk_vec3 direction, double length_m,
                         double quanta);

@@ -9,16 +9,17 @@
  * The contributions of a photon to a cell are summed over the whole path and
  * rounded once, to quanta (planes) or to 2^-30 of a packet times the diagonal
  * of a grid cell or the diameter of a sphere (lengths). The value and its
- * square are added to integer sums by channel and cell. No result therefore
- * depends on order or threads, and errors are by emitted photon: all
- * contributions of a photon are one sample.
+ * square are added to integer sums by channel (light and band) and cell. No
+ * result therefore depends on order or threads, and errors are by emitted
+ * photon: all contributions of a photon are one sample.
  *
- * Objects that lie in the plane of a tally: light is counted on the side from
- * which the normal points away. In a floor, an interface or a side of the
- * domain, `forward` is therefore the light that arrives along the normal. A
- * surface nearer than half of the step of murk_surfaces_leave() counts as lying
- * in the plane. Light that enters or leaves through a side of the domain in
- * which a plane lies passes the plane. */
+ * If a surface, an interface or a side of the domain lies in a plane, the plane
+ * measures as if it lay just before that object, seen along the normal of the
+ * plane: `forward` is the light that arrives at the object along the normal,
+ * `backward` the light that leaves the object against the normal. A surface
+ * nearer than half of the step of murk_surfaces_leave() counts as lying in the
+ * plane. Light that enters or leaves through a side of the domain in which a
+ * plane lies passes the plane. */
 #ifndef MURK_TRANSPORT_TALLIES_H
 #define MURK_TRANSPORT_TALLIES_H
 
@@ -55,7 +56,8 @@ typedef struct murk_tally_desc {
     size_t size[3];          /* grid */
     murk_vec3 center;        /* sphere */
     double radius_m;         /* sphere */
-    bool hemispheres;        /* sphere: by the sign of z of travel */
+    bool hemispheres; /* sphere: upward and downward directions of travel are
+                         counted separately */
 } murk_tally_desc;
 
 /* The number of directions: of a plane 2, forward and backward; of a sphere

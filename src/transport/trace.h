@@ -5,15 +5,16 @@
  * (diffuse), s (specular) and t (transmit) one random number u decides (SPOQ
  * paper, 3.1; Arvo and Kirk, SIGGRAPH 1990, doi:10.1145/97879.97886): [0, d]
  * diffuse reflection, (d, d+s] mirror reflection, (d+s, d+s+t] transmission,
- * else absorption. At a collision in a medium the photon is scattered with
+ * else absorption. At a collision in a medium the photon is scattered with the
  * probability albedo, else absorbed. At the boundary of a region or solid with
- * an index, Snell's law and the exact unpolarised Fresnel reflectance act, by
- * roulette; at a solid, Fresnel's reflectance in place of s and t divides the
- * range (d, d+s+t]. The index is that of the innermost solid that contains the
- * photon, else of the last listed region that contains the photon
- * (medium/interfaces.h), else 1; on waves, facet by facet (transport/facets.h).
- * Tracing cannot fail: photons that cannot be followed are counted as lost, by
- * cause.
+ * an index of refraction, roulette decides between reflection and refraction by
+ * Snell's law and the exact unpolarised Fresnel reflectance; at a boundary with
+ * waves, facet by facet (transport/facets.h). At a solid, u decides first: in
+ * the range (d, d+s+t] the light is reflected or refracted in this way, and s
+ * and t are not used separately. The index at a place is that of the innermost
+ * solid that contains the photon, else of the last listed region that contains
+ * the photon (medium/interfaces.h), else 1. Tracing cannot fail: photons that
+ * cannot be followed are counted as lost, by cause.
  *
  * If least_weight is below 1, a photon that has more than that share of its
  * packet left is not absorbed by roulette: the absorbed part of the quanta is
@@ -78,9 +79,10 @@ typedef enum murk_event_class {
 
 /* The causes for which photons are lost. */
 typedef enum murk_loss {
-    MURK_LOSS_EVENTS,    /* more than events_max events, or too many facets of
-                          * waves */
-    MURK_LOSS_WRAPS,     /* more than wraps_max wraps without another event */
+    MURK_LOSS_EVENTS, /* more than events_max segments, each up to an event or
+                         to a boundary that is none; or too many facets of waves
+                       */
+    MURK_LOSS_WRAPS,  /* more than wraps_max wraps without another event */
     MURK_LOSS_NUMERICAL, /* a position that is not finite or not inside the
                             domain, or more than MURK_PATH_SOLIDS_MAX solids
                             that contain the photon */
@@ -93,11 +95,13 @@ typedef struct murk_event {
     murk_outcome outcome;
     murk_event_class event_class;
     uint64_t photon;
-    uint32_t number; /* 0 is the emission */
+    uint32_t number; /* 0: the emission; boundaries that are no event are
+                        numbered, too */
     uint16_t light;
     uint8_t band;
     uint8_t material_or_medium;
-    murk_vec3 position;      /* wrapped: where the photon left */
+    murk_vec3 position;      /* wrapped: where the photon left; after a jump
+                                (transport/jump.h) possibly outside of the domain */
     murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
     murk_vec3 normal;        /* surfaces and interfaces: unit, on the side
@@ -119,7 +123,7 @@ typedef void (*murk_event_sink)(void *context, uint64_t batch,
                                 const murk_event *event);
 
 /* A straight segment of the path of a photon, up to an event or to a boundary
- * at which nothing happens. */
+ * at which the index does not change. */
 typedef struct murk_trace_segment {
     uint64_t photon;
     uint16_t light;

@@ -12,8 +12,9 @@ murk_walk_setup murk_walk_setup_of(const murk_trace *trace);
 void murk_walk_photon(const murk_walk_setup *setup, murk_sums *sums,
                       uint64_t batch, uint64_t photon);
 
-/* Traces a photon of the first light along a ray that starts at a point on no
- * surface. The start is not reported. */
+/* Traces a photon of the given number and band along a ray that starts at a
+ * point on no surface; the sums count it as one of the first channel. The start
+ * is not reported. */
 void murk_walk_from(const murk_walk_setup *setup, murk_sums *sums,
                     uint64_t photon, int band, murk_ray ray);
 

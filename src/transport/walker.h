@@ -48,8 +48,9 @@ typedef struct murk_sums {
     int64_t ended[MURK_EMISSIONS_MAX][MURK_FATES]; /* quanta */
     uint16_t lost[MURK_LOSSES];
     uint64_t collisions;
-    murk_tally *absorber; /* cells of the ledger, in the lane of this thread:
-                           * added to at once */
+    murk_tally
+        *absorber; /* cells of the ledger, in the lane of this thread: changed
+                      at each absorption, not at the end of the batch */
     size_t materials, absorbers;
     murk_scorer *scorer;      /* NULL: no tallies */
     bool are_segments_wanted; /* by the scorer or by the sink of segments */
@@ -150,7 +151,8 @@ static inline bool murk_walker_is_heard(const murk_walker *w)
     return w->setup->trace->sink != NULL;
 }
 
-/* The index of refraction in these solids and regions. */
+/* The index of refraction inside these solids, that of the innermost one; if
+ * there are none, that inside these regions. */
 static inline double murk_walker_index(const murk_walker *w,
                                        const murk_path_solids *solids,
                                        murk_inside inside)
