@@ -25,9 +25,9 @@
 typedef enum murk_block_measure {
     MURK_BLOCK_SHARE,           /* worth = share */
     MURK_BLOCK_REGRET,          /* 1 - (reference - share) */
-    MURK_BLOCK_REGRET_RELATIVE, /* 1 - (reference - share) / reference; 1 if the
-                                   reference is 0: no candidate sees the block
-                                 */
+    MURK_BLOCK_REGRET_RELATIVE, /* 1 - (reference - share) / reference, with the
+                                   reference as a share; 1 if the reference is
+                                   0: no candidate sees the block */
 } murk_block_measure;
 
 /* Block c has the photons first[c] .. first[c + 1] - 1, with a positive total

@@ -5,8 +5,9 @@
  *
  *     bound(t) = sum_i w_i t_i + top-n_j sum_i w_i max(0, p_ij - t_i)
  *
- * is an upper bound on the value of every plan of n: the value is at most sum w
- * t plus the parts of the members' entries above t. In the usual form the
+ * with top-n_j the sum of the n largest terms over the candidates j, is an
+ * upper bound on the value of every plan of n: the value is at most sum w t
+ * plus the parts of the members' entries above t. In the usual form the
  * multipliers are u_i = w_i t_i. For 0/1 entries b, and t as a share of
  * MURK_CLEAR, the bound is sum (w - v) + top-n sum b v with v = w (1 - t). With
  * redundancy, and with detection probabilities, both sums differ

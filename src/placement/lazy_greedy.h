@@ -1,10 +1,11 @@
 /* Lazy greedy for candidates that become available one after the other: each
  * step evaluates only candidates that are available.
  *
- * The gain of a candidate over a growing plan only falls. So the last computed
- * gain is an upper bound, and most candidates need no evaluation. The answer is
- * the same as that of evaluating all. Memory grows with the photons and the
- * candidates, not with their product.
+ * The gain of a candidate over a growing plan does not rise, apart from the
+ * rounding of doses (placement/dose.h). So the last computed gain, plus that
+ * rounding, is an upper bound, and most candidates need no evaluation. The
+ * choice is the same as if all available candidates were evaluated. Memory
+ * grows with the photons and the candidates, not with their product.
  *
  * Source: Minoux, Lect. Notes Control Inf. Sci. 7 (1978) 234,
  * doi:10.1007/BFb0006528. */

@@ -1,11 +1,11 @@
 /* Presolve of photons: photons with equal columns in the coverage matrix and
  * equal weight are merged.
  *
- * Of m equal photons of weight w, one stays for each 1 in the binary form of m,
- * with weight w times that power of two (a weight beyond 32 bits is split). So
- * few distinct weights appear, and photons of one weight still share words. All
- * sums are those of the original photons: values, bounds and decisions stay the
- * same in every bit. */
+ * Of m equal photons of weight w, one stays for each binary digit 1 of m, with
+ * weight w times the power of two of that digit (a weight beyond 32 bits is
+ * split). So few distinct weights appear, and photons of one weight still share
+ * words (placement/layout.h). All sums are those of the original photons:
+ * values, bounds and decisions stay the same in every bit. */
 #ifndef MURK_PLACEMENT_MERGE_H
 #define MURK_PLACEMENT_MERGE_H
 

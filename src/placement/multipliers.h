@@ -1,7 +1,8 @@
 /* The Lagrangian bound and its subgradient as functions of the multipliers, for
  * each way in which entries combine. Each photon has a multiplier t, which is a
- * clarity; w are weights and p clarities. All sums are over photons, whose
- * index is left out, also of the entries L and doses Y0 of the partial plan.
+ * clarity; w are weights and p clarities, as shares of MURK_CLEAR. All sums are
+ * over photons, whose index is left out, also of the entries L and doses Y0 of
+ * the partial plan.
  *
  * Redundancy k (k = 1: the largest entry). The partial plan has the entries L_1
  * >= .. >= L_k. Each of the k largest entries of the complete plan is either
@@ -21,9 +22,10 @@
  *              + sum_j sum w exp(-y) min(d_j, 1 + y - Y0).
  *
  * Multipliers with y below Y0 are not used: as y rises to Y0, the first sum
- * falls, and so does each term with d_j in the second sum. exp(-y) = 1 - t is
- * exact here. y is rounded down in the first sum and up in the second, sums
- * have 128 bits and are rounded up, so the bound holds in spite of rounding. */
+ * falls, each term of the second sum with d_j falls, and a term with 1 + y - Y0
+ * rises by as much as the first sum falls. exp(-y) = 1 - t is exact here. y is
+ * rounded down in the first sum and up in the second, sums have 128 bits and
+ * are rounded up, so the bound holds in spite of rounding. */
 #ifndef MURK_PLACEMENT_MULTIPLIERS_H
 #define MURK_PLACEMENT_MULTIPLIERS_H
 

@@ -15,7 +15,7 @@
  * is kept. With constraints (set NULL: none) a candidate that a feasible plan
  * may still need counts as undominated (murk_constraint_set_may_drop). With
  * more than 10,000 candidates nothing is compared, and every candidate is the
- * dominator of itself. */
+ * dominator of itself. Fails with MURK_NO_MEMORY. */
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                           const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err);

@@ -1,6 +1,7 @@
-/* The frame of a placement, whatever the objective: the checked settings, the
- * ranked candidates, the search for a plan of one count after the other, and
- * the result. */
+/* The steps that the placements of placement/place.h, placement/at_least.h and
+ * placement/worst.h have in common, each with its own objective: checked
+ * settings, ranked candidates, the search for a plan of one count after the
+ * other, and the result. */
 #ifndef MURK_PLACEMENT_RUN_H
 #define MURK_PLACEMENT_RUN_H
 
@@ -60,9 +61,9 @@ uint64_t murk_place_run_nodes_left(const murk_place_run *run,
                                    const murk_place_desc *desc);
 
 /* Lowers the upper bound of each point of the curve to the bound of the next
- * larger count: a plan of fewer sensors is worth no more, because it can be
- * completed. Does nothing with conflicts, with which some plans cannot be
- * completed. */
+ * larger count, if that is lower: a plan can be completed to the larger count,
+ * and its value does not fall. Does nothing if candidates are in conflict,
+ * because some plans then cannot be completed. */
 void murk_place_run_join_bounds(murk_place_run *run);
 
 /* Completes the result if status is 0, and releases the run. */

@@ -3,17 +3,17 @@
  *
  * MURK_PLACE_GREEDY tries greedy on the mean of the blocks, then greedy towards
  * a level in all blocks, and finds the highest level that greedy reaches by
- * bisection (with a target: only greedy towards the target; with a budget also
- * greedy by gain per cost). MURK_PLACE_BEST adds greedy on each block, and
- * random starts; relocates each plan; and ends with branch and bound.
- * MURK_PLACE_EXACT is greedy and branch and bound. MURK_PLACE_SPOQ is one
- * random start, relocated. No fraction of the optimum is guaranteed; the bound
- * always holds. Value, upper and ceiling of the result, and a target, are
- * worths in units of 1 / MURK_SHARE_ONE; `whole` is MURK_SHARE_ONE. Known
- * environments only.
+ * bisection (with a target: only greedy towards the target; with a budget and
+ * no target also greedy by gain per cost). MURK_PLACE_BEST adds greedy on each
+ * block, and random starts; relocates each plan; and ends with branch and
+ * bound. MURK_PLACE_EXACT is greedy and branch and bound. MURK_PLACE_SPOQ is
+ * one random start, relocated. No fraction of the optimum is guaranteed; the
+ * bound always holds. Value, upper and ceiling of the result, and a target, are
+ * worths in units of 1 / MURK_SHARE_ONE; `whole` is MURK_SHARE_ONE. The matrix
+ * must not be NULL.
  *
- * Source: Krause, McMahan, Guestrin, Gupta, J. Mach. Learn. Res. 9 (2008) 2761.
- */
+ * Source: Krause, McMahan, Guestrin, Gupta, J. Mach. Learn. Res. 9 (2008)
+ * 2761. */
 #ifndef MURK_PLACEMENT_WORST_H
 #define MURK_PLACEMENT_WORST_H
 

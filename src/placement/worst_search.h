@@ -50,9 +50,11 @@ uint64_t murk_worst_value(murk_worst_search *search, const uint32_t *plan,
                           size_t n);
 
 /* Extends plan[given] to n sensors. Each step adds the candidate that increases
- * the objective most; if no candidate increases it, the smallest share decides.
- * Constraints as in placement/search.h: scan->size is the number of sensors.
- * Returns the smallest share. */
+ * the objective most. If no candidate increases the objective, the step adds
+ * the candidate that increases the smallest share most, then the sum of the
+ * shares; if none increases these, any candidate that can be added. Constraints
+ * as in placement/search.h: scan->size is the number of sensors. Returns the
+ * smallest share. */
 uint64_t murk_worst_greedy(murk_worst_search *search,
                            const murk_block_objective *objective,
                            uint32_t *plan, size_t given, size_t n);
