@@ -1,17 +1,18 @@
 /* Candidate sites of sensors: points of a grid, listed points, and sites
  * mounted on surfaces, without those outside of free space, too close to a
- * surface, in forbidden zones, or listed twice.
+ * surface, forbidden by zones, or listed twice. Zones forbid a site that lies
+ * in a zone of the request's `avoid`, or in none of those of `within`.
  *
  * A point of the grid is usable if it is reached, at least clearance_m from any
- * surface, and outside of forbidden zones. A point is reached if an unblocked
- * straight segment joins it to a lamp (for distant light, a segment along an
- * axis to an open side of the domain: all six sides, in a periodic domain top
- * and bottom), or if unblocked steps between neighbours of the grid lead to it
- * from a reached point; the steps may pass points that are too close to a
- * surface. In a periodic domain segments go to the nearest image, and the first
- * and last points along x and y are neighbours through the side. Transmitting
- * sheets do not block. So points inside a closed crate are dropped, whatever
- * the winding of the triangles.
+ * surface, and not forbidden. A point is reached if an unblocked straight
+ * segment joins it to a lamp (for distant light, a segment along an axis to an
+ * open side of the domain: all six sides, in a periodic domain top and bottom),
+ * or if unblocked steps between neighbours of the grid lead to it from a
+ * reached point. Steps may pass points that are too close to a surface, and
+ * skip points on a surface. In a periodic domain segments go to the nearest
+ * image, and the first and last points along x and y are neighbours through the
+ * side. Transmitting sheets do not block. So points inside a closed crate are
+ * dropped, whatever the winding of the triangles.
  *
  * Listed points and mounts are reached if one unblocked straight segment joins
  * each of them to a reached point of the grid (up to 1000 reached points among
@@ -26,8 +27,8 @@
  *
  * A point within rounding of a surface (2^-18 of the domain's largest
  * coordinate; more if surfaces are larger than the domain) sees nothing: it is
- * dropped as too close, unless a forbidden zone drops it first, and no step
- * leads to it. */
+ * dropped as too close, unless a zone forbids it first, and no step leads to
+ * it. */
 #ifndef MURK_SENSING_CANDIDATES_H
 #define MURK_SENSING_CANDIDATES_H
 
@@ -55,7 +56,7 @@ typedef struct murk_candidates {
                           distance of a surface */
     size_t duplicates; /* within the rounding distance (2^-18, see above) of a
                           candidate of the grid or of an earlier listed site */
-    size_t forbidden;  /* in forbidden zones */
+    size_t forbidden;  /* excluded by the zones */
     size_t too_close;  /* on a surface, or reached but closer to a surface than
                           the clearance */
     size_t unreached;  /* not reached */

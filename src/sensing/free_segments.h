@@ -47,7 +47,8 @@ bool murk_free_segment_leads_out(const murk_free_segments *segments,
 /* The distance class of a point: how near surfaces are. foot: if a sensor is
  * mounted, the mounting point, with the normal of the surface towards the
  * sensor; the test of the clearance ignores that surface. NULL: not mounted. A
- * clearance of up to twice the tolerance is not tested. */
+ * clearance of up to twice the tolerance is not tested; of a larger one, only
+ * surfaces nearer than clearance_m - tolerance_m count. */
 murk_closeness murk_free_segments_closeness(const murk_free_segments *segments,
                                             murk_vec3 point, double clearance_m,
                                             const murk_mount_site *foot);

@@ -13,10 +13,11 @@
  *               the arriving light and p the phase function of the medium.
  *
  * The photons of the estimate and the radius come from sensing/neighbours.h or,
- * for a fixed radius, from sensing/vicinity.h; a photon's own path is left out
- * at the photon's own place. Near edges and corners a ball extends beyond the
- * surface or the medium, so L and j are too low within r of them; a spot of
- * light smaller than r is spread over r.
+ * for a fixed radius, from sensing/vicinity.h. If the nearest photons lie
+ * within a thousandth of the maximum radius, that thousandth is used as a fixed
+ * radius. A photon's own path is left out at the photon's own place. Near edges
+ * and corners a ball extends beyond the surface or the medium, so L and j are
+ * too low within r of them; a spot of light smaller than r is spread over r.
  *
  * A target of area a0 (or volume v0), turned like the surface, sends
  *

@@ -22,8 +22,9 @@ typedef struct murk_sensor_type {
                                   pi */
     double acceptance_rad; /* light scattered forward by less than this counts
                               as not scattered (medium/rescaled.h), 0..pi */
-    bool toward; /* detects only light that travels toward the sensor: against
-                    the axis, for a sphere toward the position */
+    bool toward; /* detects only light that travels toward the sensor: at more
+                    than 90 degrees to the axis, or for a sphere to the line
+                    from the sensor to the photon (murk_field_takes()) */
     uint32_t bands; /* bit b: detects band b; 0: all bands */
     /* For detection by power only (sensing/power.h). */
     double aperture_m2, quantum_efficiency, exposure_s;
