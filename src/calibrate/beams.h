@@ -2,7 +2,8 @@
  *
  * A segment is straight from one end to the other, in a periodic domain as
  * well. Surfaces that carry the ends do not block the segment, because an
- * instrument is mounted on something. */
+ * instrument is mounted on something: a surface nearer to an end than the step
+ * of murk_surfaces_leave() is not met. */
 #ifndef MURK_CALIBRATE_BEAMS_H
 #define MURK_CALIBRATE_BEAMS_H
 

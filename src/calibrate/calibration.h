@@ -61,7 +61,8 @@ typedef struct murk_calibration_start {
     bool converged;
     size_t traces; /* number of times that this search traced light; 0: it used
                     * only the light of earlier starts */
-    size_t light;  /* number of traces of the fit when this search ended */
+    size_t light;  /* number of times that the fit had traced light when this
+                      search ended (murk_model_facts.traces) */
 } murk_calibration_start;
 
 typedef struct murk_calibration {

@@ -30,10 +30,11 @@ typedef struct murk_proposals {
     double relative_error; /* median over these rows of the standard error
                             * divided by the absolute value, at most 1 */
     /* Properties of the first of these readings. */
-    murk_vec3 direction; /* irradiance */
-    double radius_m;     /* of the receiver */
-    int band;            /* -1: all bands together */
-    size_t candidates, judged;
+    murk_vec3 direction;        /* irradiance */
+    double radius_m;            /* of the receiver */
+    int band;                   /* -1: all bands together */
+    size_t candidates, judged;  /* candidates of the scene; those that were
+                                 * evaluated */
     murk_proposed_place *place; /* [n]; best first */
     size_t n;
     double *standard_error; /* [number of keys]; standard errors of the

@@ -44,21 +44,25 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
 void murk_reweighed_release(murk_reweighed *reweighed);
 
 /* The results of an evaluation at re-weighted light. A row is the reading of
- * one receiver or of one group of sensors. Arrays belong to the caller. */
+ * one receiver or of one group of sensors. The batches are parts of the emitted
+ * photons: photon p is in batch p * batches / emitted, rounded down. A run
+ * consists of consecutive batches. The arrays belong to the caller. */
 typedef struct murk_row_sums {
     double *value; /* [rows] */
     double *slope; /* [rows][keys]; with respect to the keys of the
                     * re-weighting */
-    double *batch; /* [batches][rows]; contributions of batches of photons,
-                    * which add up to the values: photon p is in batch p *
-                    * batches / emitted, rounded down */
-    double *run;   /* [runs][rows][keys]; contributions of runs of batches to
-                    * the slopes */
+    double *batch; /* [batches][rows]; contributions of the batches, which add
+                      up to the values */
+    double
+        *run; /* [runs][rows][keys]; contributions of the runs to the slopes */
     size_t rows, batches, runs; /* runs divides batches */
 } murk_row_sums;
 
-/* Evaluates receivers in W/m2 of their bands times per_watt[r * lights + light]
- * by band, into the first rows. */
+/* Evaluates the receivers into the rows 0 .. receivers - 1. The irradiance or
+ * fluence rate [W/m2] that light l causes in band b at receiver r is multiplied
+ * by per_watt[r * lights + l].band[b], which converts it to the unit of the
+ * row, and summed over the lights and the bands of the receiver. Sets value,
+ * slope, batch and run of these rows. */
 void murk_receivers_read(const murk_row_sums *out,
                          const murk_receiver *receiver,
                          const murk_spectrum *per_watt, size_t receivers,
