@@ -1,8 +1,8 @@
-/* Albedo from a grid: the value of the nearest voxel, or the trilinear mean
- * of those surrounding voxels that have an albedo. Voxels without an albedo
- * do not take part, so an edge of the grid is not darkened. The background
- * of the grid applies if no surrounding voxel has an albedo. For
- * use inside src/medium only. */
+/* Albedo from a grid, by the interpolation of the medium: the value of the
+ * nearest voxel, or the trilinear mean of those surrounding voxels that have an
+ * albedo. Voxels without an albedo do not take part, so an edge of the grid is
+ * not darkened. The background of the grid applies if the nearest voxel, or
+ * each surrounding voxel, has no albedo. For use inside src/medium only. */
 #ifndef MURK_MEDIUM_ALBEDO_H
 #define MURK_MEDIUM_ALBEDO_H
 

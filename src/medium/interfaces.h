@@ -1,20 +1,20 @@
 /* Interfaces: boundaries of regions with an index of refraction. The functions
- * find the next interface along a ray and the index on either side.
+ * find the next interface along a ray and the index in a set of regions.
  *
  * A ray carries the set of refractive regions that it is in. The set, not the
  * position, tells on which side of a boundary the ray is. A ray may therefore
  * start exactly on the boundary that it has just crossed or was reflected at:
  * rounding cannot put it on the wrong side, and no position is ever shifted.
  *
- * The index at a point is that of the last listed region among those that
- * contain the ray, and 1 outside of all regions: a boundary inside a region
- * that is listed later has no effect. Boundaries within MURK_INTERFACE_NEAR,
- * times the largest coordinate of the domain, of each other are crossed in one
- * step, as for stacked slabs. A face of a box on a side of the domain, or
- * beyond it, is no boundary: the region continues there.
+ * The index on a ray is that of the last listed region of the set, and 1 if the
+ * set is empty: a boundary inside a region that is listed later has no effect.
+ * Boundaries within MURK_INTERFACE_NEAR, times the largest coordinate of the
+ * domain, of each other are crossed in one step, as for stacked slabs. A face
+ * of a box or half space on a side of the domain, or beyond it, is no boundary:
+ * the region continues there.
  *
- * This file handles half spaces, boxes and spheres. Of meshes src/medium
- * knows the index only: the caller maintains their bits of the set. */
+ * This file handles half spaces, boxes and spheres. Of meshes src/medium knows
+ * the index only: the caller maintains their bits of the set. */
 #ifndef MURK_MEDIUM_INTERFACES_H
 #define MURK_MEDIUM_INTERFACES_H
 
@@ -22,9 +22,10 @@
 
 typedef struct murk_boundary {
     double distance_m;
-    murk_inside crossed; /* regions entered or left; the set beyond the boundary
-                            is inside ^ crossed */
-    size_t region;       /* the last listed of these regions */
+    murk_inside
+        crossed;   /* regions entered or left; with `inside` the set before the
+                      boundary, the set beyond is inside ^ crossed */
+    size_t region; /* the last listed of these regions */
     murk_vec3 normal; /* unit normal of that region's boundary, on the side of
                          the ray's origin */
     double mean_square_slope; /* mean square slope of that region's waves; 0:
@@ -54,10 +55,12 @@ size_t murk_media_indices(const murk_media *media,
 bool murk_media_bends(const murk_media *media);
 
 /* The refractive regions that contain a point, meshes left out. A box contains
- * its faces at the low end of each axis and not those at the high end. */
+ * its faces at the low end of each axis and not those at the high end; a half
+ * space or sphere does not contain its boundary. */
 murk_inside murk_media_inside(const murk_media *media, murk_vec3 point);
 
-/* The index of refraction inside a set of regions. */
+/* The index of refraction inside a set of regions: that of the last listed one
+ * that has an index; 1 if there is none. */
 double murk_media_index(const murk_media *media, murk_inside inside);
 
 /* Finds the nearest boundary ahead and closer than max_m. False, with *boundary
