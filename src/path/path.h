@@ -1,5 +1,6 @@
-/* A straight ray through surfaces and through regions with a boundary: the one
- * walker behind photons, sightlines and cameras.
+/* A straight ray through surfaces and through regions with a boundary. The
+ * functions that follow photons, sightlines and rays of cameras are all made of
+ * the functions of this file.
  *
  * Regions with a boundary are those with an index of refraction
  * (medium/interfaces.h) and those bounded by a closed mesh

@@ -14,8 +14,8 @@
 typedef struct murk_path_tiling {
     murk_path_space space;
     bool repeats;          /* in x and y */
-    double sideways_max_m; /* largest extent of a piece in x and in y; may be
-                            * INFINITY */
+    double sideways_max_m; /* largest extent in x and in y of a piece that is no
+                              jump; may be INFINITY */
     /* Nothing depends on x and y at heights up to free_below_m and from
      * free_above_m on, so rays may jump there; -INFINITY and INFINITY: no such
      * heights. */
