@@ -104,8 +104,8 @@ typedef struct murk_shine {
 typedef struct murk_glare {
     double radiance;   /* [W/m2/sr]; 0: none */
     double distance_m; /* INFINITY: outside the domain */
-    double per_sr;     /* density with which murk_sources_shine() draws this
-                        * direction */
+    double per_sr; /* probability density with which murk_sources_shine() draws
+                      this direction [1/sr] */
 } murk_glare;
 
 /* The light sources of a scene (source/sources.h). */

@@ -1,5 +1,6 @@
-/* Light sources: where photons start. There are lamps, beams and distant light
- * (sun, moon, sky).
+/* Light sources: where photons start. They are lamps (spheres, rectangles,
+ * points and beams) and distant light (parallel light or a disc, such as sun
+ * and moon; the sky).
  *
  * A channel is one light in one band. Photons are dealt to channels in such a
  * way that the first n photons, for any n, are distributed in proportion to
@@ -50,7 +51,7 @@ void murk_sources_destroy(murk_sources *lights); /* NULL is fine */
 /* Channel c = light * bands + band. The power [W] may be 0. */
 size_t murk_sources_channels(const murk_sources *lights);
 double murk_sources_channel_power_w(const murk_sources *lights, size_t channel);
-/* sum of all channels */
+/* The sum over all channels [W]. */
 double murk_sources_power_w(const murk_sources *lights);
 
 /* The number of channels with power. If it is 0, no photon may be asked for. */
