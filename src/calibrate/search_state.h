@@ -29,7 +29,7 @@ typedef struct murk_fit_search {
     double *predicted, *slope;   /* [rows], [rows][n]; at the last prediction */
     double *offset;              /* [n_fitted]; offset of the whitened
                                   * residuals, see slope_noise.h */
-    double share;
+    double share; /* effective share (murk_reweighed) at the last prediction */
     size_t evaluations;
     int iterations;
     size_t traces;        /* of this start */
