@@ -61,9 +61,10 @@ typedef struct murk_candidates {
                           the clearance */
     size_t unreached;  /* not reached */
     murk_vec3 *position; /* [usable] */
-    murk_vec3 *normal;   /* [usable] unit normal of mounts, out of the surface;
-                            zero for free sites; NULL: no mounts were requested */
-    uint8_t *kind;       /* [usable] murk_candidate_kind */
+    murk_vec3
+        *normal; /* [usable] unit normal of mounts, out of the surface; zero for
+                    free sites; NULL if no mounts were requested */
+    uint8_t *kind; /* [usable] murk_candidate_kind */
 } murk_candidates;
 
 /* The caller destroys *out with murk_candidates_destroy(). Fails with

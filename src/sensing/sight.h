@@ -3,9 +3,11 @@
  *
  * Visibility V = [within range, in the field of view, in a band of the type,
  * travelling toward the sensor if the type asks for it][surface photon: normal
- * . (sensor - photon) > 0][segment open]. The clarity is V times the
- * transmittance of sheets and media along the segment, in the photon's band,
- * rounded to 1/65535; a photon whose clarity rounds to 0 is not seen. With a
+ * . (sensor - photon) > 0][segment open], with 1 for a bracket that is true and
+ * 0 for one that is false; the segment is the straight line between sensor and
+ * photon. The clarity is V times the transmittance of sheets and media along
+ * the segment, in the photon's band, rounded to 1/65535; a photon whose clarity
+ * rounds to 0 is not seen. With a
  * threshold the clarity is full if the transmittance is the threshold or more,
  * and else 0. Photons are numbered surface map first, then volume map, each in
  * the order of the map. A sight is immutable except for the counters and the
@@ -141,13 +143,14 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
 
-/* Optical depths along sightlines, unrounded: in any media that occupy the
- * regions of the sight's media, and the transmittance of sheets. Without a
- * threshold or detection by power, a clarity is exp(-depth) times the
- * transmittance of sheets, rounded to 1/65535. Not for sightlines that bend.
- * For photon[n], indices of a row seen from pose: depth[n][count] in
- * media[count], in the band of the photon, and sheets[n], 0..1 (1 if the sight
- * does not look through sheets). */
+/* Optical depths along straight sightlines, unrounded. photon[n] are numbers as
+ * in a row of the sensor at `pose`. depth[i * count + m] becomes the optical
+ * depth in media[m] of the sightline to photon[i], in the band of that photon;
+ * each of media[count] must occupy the regions of the sight's media. sheets[i]
+ * becomes the transmittance, 0..1, of the sheets on that sightline (1 if the
+ * sight does not look through sheets). Without a threshold or detection by
+ * power, a clarity is exp(-depth in the sight's media) times sheets[i], rounded
+ * to 1/65535. Not for sightlines that bend. */
 void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
                        const murk_pose *pose, const uint32_t *photon, size_t n,
                        const murk_media *const *media, size_t count);
