@@ -100,7 +100,7 @@ typedef struct murk_event {
     uint16_t light;
     uint8_t band;
     uint8_t material_or_medium;
-    murk_vec3 position;      /* wrapped: where the photon left; after a jump
+    murk_vec3 position;      /* wrapped: where the photon left, after a jump
                                 (transport/jump.h) possibly outside of the domain */
     murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
