@@ -100,8 +100,9 @@ typedef struct murk_event {
     uint16_t light;
     uint8_t band;
     uint8_t material_or_medium;
-    murk_vec3 position;      /* wrapped: where the photon left, after a jump
-                                (transport/jump.h) possibly outside of the domain */
+    murk_vec3 position;      /* wrapped: where the photon left, which after a
+                              * jump (transport/jump.h) may be outside of the
+                              * domain */
     murk_vec3 direction_in;  /* unit, of travel, arriving; emitted: zero */
     murk_vec3 direction_out; /* unit, leaving; zero when absorbed or lost */
     murk_vec3 normal;        /* surfaces and interfaces: unit, on the side
