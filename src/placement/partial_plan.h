@@ -29,8 +29,8 @@ void murk_partial_plan_release(murk_partial_plan *partial);
  * complete plan (with a budget: the largest number). `wanted` must not exceed
  * set->max_sensors. */
 void murk_partial_plan_clear(murk_partial_plan *partial, size_t wanted);
-/* Adds a candidate, which must pass murk_partial_plan_can_add(); the
- * constraints are not tested again. drop_last removes the member added last. */
+/* Adds a candidate without a test of the constraints. drop_last removes the
+ * member that was added last; there must be one. */
 void murk_partial_plan_add(murk_partial_plan *partial, uint32_t candidate);
 void murk_partial_plan_drop_last(murk_partial_plan *partial);
 
