@@ -77,8 +77,9 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
  * memory. */
 uint64_t murk_plan_matrix_bytes(void);
 
-/* Streams of random numbers: the light, or the drawn targets, of the map that
- * is held out, and of the map that confirms a target. */
+/* Streams of random numbers (murk_trace.stream in transport/trace.h) for the
+ * light, or the drawn targets, of the map that is held out and of the map that
+ * confirms a target. Stream 0 is that of the map that chooses the plan. */
 #define MURK_HELD_OUT_STREAM 1u
 #define MURK_CONFIRM_STREAM  2u
 
