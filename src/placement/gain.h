@@ -11,10 +11,10 @@
 uint64_t murk_row_gain(const murk_layout *layout, const murk_row *row,
                        const murk_cover *cover);
 
-/* Upper bound on the gain for covers with doses, many times faster than the
- * gain: the gain is at most the result plus MURK_GAIN_BOUND_SLACK times the sum
- * of the weights of the photons in the row. The reason for 4 stands in
- * gain.c. */
+/* For covers with doses, and many times faster than murk_row_gain(): a number
+ * from which an upper bound follows. The gain is at most this number plus
+ * MURK_GAIN_BOUND_SLACK times the sum of the weights of the photons in the row
+ * (murk_row_weight()). placement/gain.c derives the 4. */
 #define MURK_GAIN_BOUND_SLACK 4
 uint64_t murk_row_gain_bound(const murk_layout *layout, const murk_row *row,
                              const murk_cover *cover);

@@ -38,12 +38,13 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
 size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart);
 
-/* The published SPOQ algorithm (placement/place.h) from start number `restart`;
- * with a budget, each sweep is followed by murk_search_budget_greedy(). Two
- * sensors never share a candidate. In the published problem only the largest
- * entry of a photon counts, and a second sensor at a candidate adds nothing, so
- * this difference matters only if no candidate has a gain. Ends early beyond
- * s->rows_max, as murk_search_relocate(). */
+/* The published SPOQ algorithm (placement/place.h) from start number `restart`,
+ * with two differences. With a budget, each sweep is followed by
+ * murk_search_budget_greedy(). And two sensors never share a candidate; in the
+ * published problem, in which only the largest entry of a photon counts, a
+ * second sensor at a candidate adds nothing, so this matters only if no
+ * candidate has a gain. Ends early beyond s->rows_max, as
+ * murk_search_relocate() does. */
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
