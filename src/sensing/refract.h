@@ -25,8 +25,8 @@ typedef struct murk_interfaces {
     bool any_mesh; /* the index inside some region that is a mesh, looked at
                       alone, is not 1 */
     size_t n, indices;
-    murk_flat flat[MURK_FLATS_MAX];
-    double index[MURK_REGIONS_MAX + 1];
+    murk_flat flat[MURK_FLATS_MAX]; /* [n] planes of half spaces and boxes */
+    double index[MURK_REGIONS_MAX + 1]; /* [indices] as murk_media_indices() */
 } murk_interfaces;
 
 /* Collects the refracting boundaries of a space. */
