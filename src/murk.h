@@ -7,11 +7,15 @@
  *                                               murk_picture
  *     murk_study, murk_fit: many scenes at once, and media from readings
  *
- * Each handle is created by one call and released by murk_<handle>_destroy(),
- * which takes NULL. A handle keeps the handles that it was made from alive, so
- * handles may be destroyed in any order. World, light, coverage and picture do
- * not change after they are made; a plan changes by murk_plan_repeat(), a study
- * by murk_study_run() and a fit by murk_fit_run() alone.
+ * Each handle but murk_fields and murk_batch is created by one call and
+ * released by murk_<handle>_destroy(), which takes NULL. A handle stays usable
+ * after the handles that it was made from are destroyed, so handles may be
+ * destroyed in any order. World, light, coverage and picture do not change
+ * after they are made; a plan changes by murk_plan_repeat(), a study by
+ * murk_study_run() and a fit by murk_fit_run() alone; a scene changes by
+ * murk_scene_set(), murk_scene_use_light(), murk_scene_add_mesh(),
+ * murk_scene_add_grid() and murk_scene_add_table(), a list of sensors by
+ * murk_sensors_add().
  *
  * Units: metres, watts, 1/m, nanometres, degrees where a name ends in _deg.
  * Directions are unit vectors along the travel of light.
@@ -88,10 +92,12 @@ typedef struct murk_error {
     size_t size;
     murk_status code;
     int line, column; /* in `file`, from 1; 0: the whole file */
-    char file[320];   /* the file, or the name of a text; "" if there is none */
+    char file[320];   /* the file, or the name of a text or of an array that a
+                       * call adds; "" if there is none */
     char key[160];   /* path of the key in a scene, "media.fog.albedo"; or "" */
     char where[320]; /* file, line, column and key as one text; or "argument
-                      * NAME" */
+                      * NAME"; or the name of a setting, "runs" or "keys KEY";
+                      * or the path of a field of a result */
     char text[640];  /* the value found and the allowed values, with units */
 } murk_error;
 
@@ -132,9 +138,9 @@ typedef struct murk_array {
 } murk_array;
 
 /* Describes a dense array of the caller, in the order of C: data, type,
- * dimensions and shape[dimensions]; shape NULL: of no dimensions, which every
- * call refuses. The values are not copied. An array with gaps, or in another
- * order, is described by its strides. */
+ * dimensions and shape[dimensions]; shape NULL, or dimensions not 1..5: an
+ * array of no dimensions, which every call refuses. The values are not copied.
+ * An array with gaps, or in another order, is described by its strides. */
 murk_array murk_array_of(const void *data, murk_type type, int dimensions,
                          const size_t *shape);
 
@@ -178,7 +184,7 @@ typedef enum murk_imports {
 
 typedef struct murk_context_options {
     size_t size;                     /* sizeof(murk_context_options) */
-    unsigned threads;                /* 0: as many as there are processors */
+    unsigned threads;                /* 0: one per processor, 256 at most */
     murk_log_function log;           /* NULL: warnings and notes are dropped */
     murk_progress_function progress; /* NULL: none */
     void *user;                      /* passed to both */
@@ -189,16 +195,16 @@ typedef struct murk_context_options {
 } murk_context_options;
 
 /* Creates a context, which all other handles are made in; options NULL: zeros.
- * Fails with MURK_RUN_FAILED if the machine refuses the threads. */
+ * Fails with MURK_BAD_VALUE if options->imports is no value of murk_imports,
+ * and with MURK_RUN_FAILED if the machine refuses the threads. */
 murk_status murk_context_create(murk_context **out,
                                 const murk_context_options *options,
                                 murk_error *error);
 void murk_context_destroy(murk_context *context);
 
-/* Makes the call that runs in the context, or else the next one, stop at the
- * next batch and return MURK_INTERRUPTED; later calls work as usual. Calls that
- * do no long work, such as murk_scene_set(), do not stop, and the request waits
- * for the next long call. */
+/* Makes the long call that runs in the context, or else the next long call,
+ * stop at the next batch and return MURK_INTERRUPTED; later calls work as
+ * usual. Calls that do no long work, such as murk_scene_set(), do not stop. */
 void murk_context_cancel(murk_context *context);
 
 /* ---- scene ---- */
@@ -227,8 +233,11 @@ void murk_scene_destroy(murk_scene *scene);
  * YAML flow style: "5", "[1, 2, 3]", "{preset: fog/radiation, mor_m: 80}". The
  * last value of a key counts. The value is parsed here and checked with the
  * whole scene. Worlds that exist do not change. The key need not be in the text
- * of the scene. Fails with MURK_BAD_VALUE if there is no such key, or if the
- * value is not YAML; the scene is then as before. */
+ * of the scene. A key of the text that excludes this one is removed
+ * (photons.emit and photons.store exclude each other). Fails with
+ * MURK_BAD_VALUE if there is no such key, or if an earlier call has set a key
+ * that excludes this one, and with MURK_BAD_FILE if the value is not YAML; the
+ * scene is then as before. */
 murk_status murk_scene_set(murk_scene *scene, const char *key,
                            const char *value, murk_error *error);
 
@@ -246,9 +255,9 @@ murk_status murk_scene_get(murk_scene *scene, const char *key,
 murk_status murk_scene_use_light(murk_scene *scene, const char *path,
                                  murk_error *error);
 
-/* Reads the whole scene and checks each value. Fails with MURK_BAD_VALUE at the
- * first key that is unknown, missing or out of range, and with MURK_BAD_FILE if
- * a table that the scene names is missing or malformed. */
+/* Reads the whole scene and checks each value; does not open the files that the
+ * scene names. Fails with MURK_BAD_VALUE at the first key that is unknown,
+ * missing or out of range, and with MURK_BAD_FILE if the text is a study. */
 murk_status murk_scene_check(murk_scene *scene, murk_error *error);
 
 /* *text: the scene as resolved, with all defaults, as scene.resolved.yaml;
@@ -269,9 +278,10 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
  * called once: after the mesh was replaced or the scene destroyed, and all
  * worlds and fits that were made with the mesh are destroyed. If the call
  * fails, release is not called and the arrays stay the caller's. Fails with
- * MURK_BAD_VALUE if the name has other characters than letters, digits, "_",
- * "-" and ".", if a shape or a type does not fit, if an index is out of range,
- * or if a coordinate is not finite. */
+ * MURK_BAD_VALUE if the name is empty, has more than 63 characters or others
+ * than letters, digits, "_", "-" and ".", if a shape or a type does not fit, if
+ * the mesh is empty, if the name of a material is too long, if an index is out
+ * of range, or if a coordinate is not finite. */
 murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
                                 const murk_array *vertices_m,
                                 const murk_array *triangles,
@@ -288,8 +298,8 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
  * NULL: the values are copied; else they must be dense floats with x fastest
  * (stride[0] = 4), are used in place, and release(user) is called as for a
  * mesh. If the call fails, release is not called. Fails with MURK_BAD_VALUE if
- * the name, the type or the order is wrong, or if a value is negative or not
- * finite. */
+ * the name, the type or the order is wrong, if there are no values, or if a
+ * value is negative or not finite. */
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 const murk_array *values,
                                 const double index_to_world[12],
@@ -297,7 +307,7 @@ murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 murk_error *error);
 
 /* Adds a table that keys for CSV files take as "memory:NAME": candidate places,
- * targets, spectra, profiles, phase functions.
+ * targets, phase functions.
  *
  * values: rows x columns, floats or doubles; columns[]: the names of the
  * columns, as in the first line of the CSV file. Values and names are copied;
@@ -362,21 +372,25 @@ const char *murk_fields_json(const murk_fields *fields);
  * murk_light_save(), murk_coverage_save(), murk_plan_save(), murk_study_save()
  * and murk_fit_save() write the files of the command murk trace, sense, place,
  * study and fit to a folder, which is made if there is none. The main JSON
- * comes last. If the call fails before the main JSON is complete, the folder is
- * left as it was. An export that cannot be made is left out: then the other
- * files are written, *fields are filled, and the call fails.
+ * comes last. If the call fails before files are moved into the folder, the
+ * folder is left as it was. If moving fails, files moved before are in place,
+ * and the main JSON is still the old one. An export that cannot be made is left
+ * out: then the other files are written, *fields are filled, and the call
+ * fails.
  *
- * folder NULL: nothing is written, but *fields are as if the files were
- * written. options NULL: zeros. fields may be NULL; else *fields are those of
- * the main JSON as written, with `identity`, `files` and `run` (run.summary:
- * the lines of text that the program prints), and beside them `saved.folder`
- * and `saved.files`, the names of all files in the order written.
+ * folder NULL: nothing is written; *fields are filled, with `files` and
+ * saved.files empty and saved.folder null.
+ *
+ * options NULL: zeros. fields may be NULL; else *fields are those of the main
+ * JSON as written, with `identity`, `files` and `run` (run.summary: the lines
+ * of text that the program prints), and beside them `saved.folder` and
+ * `saved.files`, the names of all files in the order written.
  * murk_fields_json() is the text of the main JSON. *fields are valid until the
  * next save of the handle.
  *
- * Fail with MURK_BAD_VALUE if a file may not be replaced or if the options ask
- * for what the scene does not have, with MURK_RUN_FAILED if a file cannot be
- * written, and with MURK_INTERRUPTED if the call is cancelled. */
+ * These functions fail with MURK_BAD_VALUE if a file may not be replaced or if
+ * the options ask for what the scene does not have, with MURK_RUN_FAILED if a
+ * file cannot be written, and with MURK_INTERRUPTED if they are cancelled. */
 typedef struct murk_save_options {
     size_t size;         /* sizeof(murk_save_options) */
     const char *exports; /* words with commas between: fields, photons,
@@ -386,7 +400,8 @@ typedef struct murk_save_options {
                           * pieces of some five photons */
     bool replaces;       /* also files that murk did not write, or that were
                           * edited since; files that the context has read are
-                          * never replaced */
+                          * not replaced, and the call fails unless they have
+                          * the same bytes already */
     const char *command; /* the command line of the caller: run.command */
     const char *asked;   /* a text that says what else the results follow from,
                           * beside the scene; `identity` covers it */
@@ -412,9 +427,11 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
 /* ---- presets ---- */
 
 /* *fields: what a preset of media, "fog/kruse", comes to, as murk media:
- * `words` (of each word `value`, `default`, `least`, `most` and `unit`),
- * `bands` (of each band the extinction, absorption and scattering coefficient
- * [1/m], the albedo and the mean cosine), `sources` and `doubts`. key[n] and
+ * `murk` (the version), `preset`, `about`, `wavelength_nm` (the range), `words`
+ * (of each word `value`, `default`, `least`, `most` and `unit`), `bands` (of
+ * each band `band_nm`, the extinction, absorption and scattering coefficient
+ * [1/m], the albedo, the mean cosine and `phase`, the kind of phase function),
+ * `sources`, `doubts`, `identity` and `files`, which is empty. key[n] and
  * value[n]: keys of the medium and their values, "visibility_m" and "50", or
  * bands_nm, band_edges_nm and seed of the scene, as murk_scene_set() takes
  * them. name NULL: `presets`, the list of all, for which n is 0. options:
@@ -435,8 +452,10 @@ typedef struct murk_world murk_world;
  * sources. With conditions to place over (the key placement.over), the world is
  * built by the first call that needs it instead. The options of the context say
  * which process reads mesh and grid files. Fails as murk_scene_check(), with
- * MURK_BAD_FILE if a mesh or a grid is missing, malformed or larger than the
- * limits, and with MURK_INTERRUPTED if the call is cancelled. */
+ * MURK_BAD_FILE if a mesh, a grid or the table of a phase function is missing,
+ * malformed or larger than the limits, with MURK_RUN_FAILED if the process
+ * that reads a file cannot be started or ends without an answer, and with
+ * MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error);
 void murk_world_destroy(murk_world *world);
@@ -453,8 +472,11 @@ double murk_world_band_nm(const murk_world *world, int i);
 /* Finds out before any light is traced if murk_light_save() (command "trace"),
  * murk_coverage_save() ("sense") or murk_plan_save() ("place") would refuse the
  * folder or the options. runs: those of murk_plan_repeat(), else 0. Fails with
- * MURK_BAD_VALUE if they would, if the scene lacks what the command needs, or
- * if its seeds or goals cannot be repeated. */
+ * MURK_BAD_VALUE if they would, if there is no such command, if the scene does
+ * not allow the exports or, with the command "sense", has conditions to place
+ * over, or if the seeds or goals of the scene cannot be repeated; with
+ * MURK_RUN_FAILED if the folder cannot be written to; and as
+ * murk_world_create() if the world is built here. */
 murk_status murk_world_check_save(murk_world *world, const char *command,
                                   uint64_t runs, const char *folder,
                                   const murk_save_options *options,
@@ -462,13 +484,15 @@ murk_status murk_world_check_save(murk_world *world, const char *command,
 
 /* Traces one photon of the world again, as murk replay: photon is its number,
  * as the field `emitted` of murk_light_array() has it. *fields: `photon` and
- * `events`, a list with `number`, `kind`, `partner`, `outcome`, `position_m`,
- * `direction_in`, `direction_out` [unit vectors] and `path_m` (since the event
- * before) of each event, in the order along the path; valid until the next
- * call of this function with the world. options: `command` and `asked` alone
- * are used, for `run` and `identity`; NULL: zeros. Fails with MURK_BAD_VALUE if
- * the scene emits no photon of this number, and with MURK_INTERRUPTED if the
- * call is cancelled. */
+ * `events`, a list with `number`, `kind`, `partner`, `outcome` (only of events
+ * on surfaces, in media and at interfaces), `position_m`, `direction_in`,
+ * `direction_out` [unit vectors] and `path_m` (since the event before) of each
+ * event, in the order along the path; valid until the next call of this
+ * function with the world. With photons.store, any number below 2^32 - 1 is
+ * accepted. options: `command` and `asked` alone are used, for `run` and
+ * `identity`; NULL: zeros. Fails with MURK_BAD_VALUE if the scene emits no
+ * photon of this number, with MURK_INTERRUPTED if the call is cancelled, and as
+ * murk_world_create() if the world is built here. */
 murk_status murk_world_replay(murk_world *world, uint64_t photon,
                               const murk_save_options *options,
                               const murk_fields **fields, murk_error *error);
@@ -481,11 +505,14 @@ typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
 
 /* Traces the light of a world: the photon maps that photons.maps asks for, the
  * energy ledger and the tallies. Fails with MURK_BAD_VALUE if photons.emit is
- * less than the number of pairs of a light source and a band with power, or if
- * the records would be more than photons.max_stored or than the memory of the
- * machine holds, with MURK_RUN_FAILED if more than 1 % of the photons are lost
- * or photons.store records would need too many photons, and with
- * MURK_INTERRUPTED if the call is cancelled. */
+ * less than the number of pairs of a light source and a band with power, if a
+ * few photons of a band that are traced beforehand are all lost, or if a
+ * forecast says that the records would be more than photons.max_stored or than
+ * the memory of the machine holds; with MURK_RUN_FAILED if more than
+ * photons.max_stored records are stored all the same, if more than 1 % of the
+ * photons are lost or if photons.store records would need too many photons;
+ * with MURK_INTERRUPTED if the call is cancelled; and as murk_world_create() if
+ * the world is built here. */
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error);
 
@@ -494,10 +521,11 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
  * returns. */
 typedef struct murk_batch murk_batch;
 
-/* Receives a batch. Any number but 0 cancels the trace. Called in the order of
- * photons, in the thread that called murk_light_stream(), for one batch at a
- * time. The function may call the functions murk_batch_...() and
- * murk_context_cancel(), and no other function with handles of the context. */
+/* Receives a batch. Returns 0 to go on; any other number cancels the trace.
+ * Called in the order of photons, in the thread that called
+ * murk_light_stream(), for one batch at a time. The function may call the
+ * functions murk_batch_...() and murk_context_cancel(), and no other function
+ * with handles of the context. */
 typedef int (*murk_batch_function)(void *user, murk_batch *batch);
 
 /* Traces as murk_light_trace(), and calls each(user, batch) for each batch of
@@ -534,8 +562,8 @@ double murk_light_packet_w(const murk_light *light, int source, int band);
 /* Reads and writes a file of light, light.murk. Writing does not replace a file
  * that the context has read. Reading fails with MURK_BAD_FILE if there is no
  * light in it, MURK_BAD_VALUE if the seed or a key that light depends on is not
- * that of the world, and MURK_INTERRUPTED. Writing fails with MURK_BAD_VALUE or
- * MURK_RUN_FAILED. */
+ * that of the world, MURK_INTERRUPTED, and as murk_world_create() if the world
+ * is built here. Writing fails with MURK_BAD_VALUE or MURK_RUN_FAILED. */
 murk_status murk_light_read(murk_light **out, murk_world *world,
                             const char *path, murk_error *error);
 murk_status murk_light_write(const murk_light *light, const char *path,
@@ -580,8 +608,9 @@ murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
                               murk_error *error);
 
 /* Writes the files of murk trace to a folder: light.murk, ledger.json,
- * tallies.csv, grids. The arguments are described at murk_save_options. Fails
- * with MURK_BAD_VALUE or MURK_RUN_FAILED, as described there. */
+ * scene.resolved.yaml, and tallies.csv and grids, if the light has tallies. The
+ * arguments are described at murk_save_options. Fails with MURK_BAD_VALUE,
+ * MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */
 murk_status murk_light_save(murk_light *light, const char *folder,
                             const murk_save_options *options,
                             const murk_fields **fields, murk_error *error);
@@ -599,9 +628,11 @@ typedef struct murk_sensor {
 } murk_sensor;
 
 /* Makes a list of sensors for a world: an empty list, or that of a file,
- * sensors.csv or plan.json. Fails with MURK_BAD_FILE if the file is missing or
- * malformed, and with MURK_BAD_VALUE if a sensor in it does not fit the scene,
- * as murk_sensors_add(). */
+ * sensors.csv or plan.json. Reading fails with MURK_BAD_FILE if the file is
+ * missing or malformed, or lists no sensor although there is something to see;
+ * with MURK_BAD_VALUE if the scene has no sensors, or if a sensor does not fit
+ * the scene, as murk_sensors_add(), or has a heading beyond +-360 degrees; and
+ * as murk_world_create() if the world is built here. */
 murk_status murk_sensors_create(murk_sensors **out, murk_world *world,
                                 murk_error *error);
 murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
@@ -609,8 +640,9 @@ murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
 void murk_sensors_destroy(murk_sensors *sensors);
 
 /* Adds a sensor; the struct is copied. Fails with MURK_BAD_VALUE if the type is
- * not one of the scene, if a type with a view has no heading or tilt, or if the
- * position is outside of the domain. */
+ * not one of the scene, if a type with a view has no heading or tilt or the
+ * tilt is beyond +-90 degrees, or if the position is outside of the domain; and
+ * as murk_world_create() if the world is built here. */
 murk_status murk_sensors_add(murk_sensors *sensors, const murk_sensor *sensor,
                              murk_error *error);
 
@@ -629,7 +661,8 @@ typedef struct murk_coverage murk_coverage;
 
 /* Measures what sensors see of a light, as murk sense. The sensors are copied.
  * Fails with MURK_BAD_VALUE if there are no sensors although there is something
- * to see, or if the sensors are of another world than the light, and with
+ * to see, or if the sensors are of another world than the light, with
+ * MURK_BAD_FILE if the table of the targets is missing or malformed, and with
  * MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   const murk_sensors *sensors,
@@ -640,9 +673,10 @@ void murk_coverage_destroy(murk_coverage *coverage);
 murk_status murk_coverage_fields(murk_coverage *coverage,
                                  const murk_fields **fields, murk_error *error);
 
-/* Writes the files of murk sense to a folder: coverage.json, coverage.csv and
- * those of the light. The arguments are described at murk_save_options. Fails
- * with MURK_BAD_VALUE or MURK_RUN_FAILED, as described there. */
+/* Writes the files of murk sense to a folder: coverage.json, coverage.csv,
+ * coverage.ply (if there is something to see), scene.resolved.yaml and those of
+ * the light. The arguments are described at murk_save_options. Fails with
+ * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */
 murk_status murk_coverage_save(murk_coverage *coverage, const char *folder,
                                const murk_save_options *options,
                                const murk_fields **fields, murk_error *error);
@@ -663,7 +697,8 @@ typedef struct murk_plan murk_plan;
 
 /* Chooses the sensors, as murk place. The light of the world is traced, or,
  * with conditions to place over, the light of each condition. Fails as
- * murk_light_trace(), and with MURK_BAD_VALUE or MURK_RUN_FAILED if no plan
+ * murk_light_trace(), with MURK_BAD_FILE if a table of candidates or targets is
+ * missing or malformed, and with MURK_BAD_VALUE or MURK_RUN_FAILED if no plan
  * meets the keys of `sensors` and `placement`. */
 murk_status murk_plan_make(murk_plan **out, murk_world *world,
                            murk_error *error);
@@ -680,8 +715,10 @@ murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
  * are judged before the search, or NULL. The plan has fields and is saved, as
  * plan.json and the exports matrix, or-library and lp; it has no sensors and is
  * not repeated. Fails with MURK_BAD_VALUE if the scene has other keys or not
- * one goal, if no choice of columns reaches it, or if murk_plan_save() would
- * refuse; with MURK_BAD_FILE if the file is missing or malformed; and with
+ * one goal, if no choice of columns reaches the goal, or if murk_plan_save()
+ * would refuse; with MURK_RUN_FAILED if the search finds no choice that reaches
+ * the goal, if the matrix exceeds the memory, or if the folder cannot be
+ * written to; with MURK_BAD_FILE if the file is missing or malformed; and with
  * MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
                                  const char *path, const char *folder,
@@ -694,7 +731,7 @@ murk_status murk_plan_fields(murk_plan *plan, const murk_fields **fields,
                              murk_error *error);
 
 /* Makes a list of the chosen sensors, in the order of the plan. Fails with
- * MURK_NO_MEMORY. */
+ * MURK_BAD_VALUE for a plan for a matrix, and with MURK_NO_MEMORY. */
 murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
                               murk_error *error);
 
@@ -704,14 +741,19 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
  * repeat.csv have the results. Fields of the plan that were asked for before
  * are valid no longer. If the call fails or is cancelled, the plan keeps the
  * runs that were finished. A plan in the dark does not depend on chance: then
- * the call logs a note and makes no further plan. Fails with MURK_BAD_VALUE as
- * murk_world_check_save() does. */
+ * the call logs a note and makes no further plan. Fails with MURK_BAD_VALUE if
+ * runs is 0, for a plan for a matrix, and as murk_world_check_save() does; with
+ * MURK_INTERRUPTED if the call is cancelled; and as murk_plan_make() if a
+ * further plan cannot be made, with MURK_RUN_FAILED for example. */
 murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error);
 
 /* Writes the files of murk place to a folder: plan.json, sensors.csv,
- * coverage.csv and those of the light or of each condition. The arguments are
- * described at murk_save_options. Fails with MURK_BAD_VALUE or MURK_RUN_FAILED,
- * as described there. */
+ * coverage.csv, scene.resolved.yaml, plan.ply (not in the dark), after
+ * exploring explore.csv and path.ply, after repeats repeat.csv, and the files
+ * of the light; over conditions regret.csv and the files of each condition
+ * instead of plan.ply and the files of the light; for a matrix only plan.json
+ * and the exports. The arguments are described at murk_save_options. Fails with
+ * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */
 murk_status murk_plan_save(murk_plan *plan, const char *folder,
                            const murk_save_options *options,
                            const murk_fields **fields, murk_error *error);
@@ -735,7 +777,7 @@ typedef struct murk_study_options {
 
 /* Reads a study file and the scenes of its rows; options NULL: zeros. Fails
  * with MURK_BAD_VALUE or MURK_BAD_FILE if the study is wrong or if the scenes
- * of all rows are. */
+ * of all rows are, and with MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_study_read(murk_study **out, murk_context *context,
                             const char *path, const murk_study_options *options,
                             murk_error *error);
@@ -762,8 +804,9 @@ murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
                               murk_error *error);
 
 /* Writes the files of murk study to a folder: study.json and table.csv, of the
- * rows that are done. The arguments are described at murk_save_options. Fails
- * with MURK_BAD_VALUE or MURK_RUN_FAILED, as described there. */
+ * rows that are done, and scene.resolved.yaml, if the base scene is valid by
+ * itself. The arguments are described at murk_save_options. Fails with
+ * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */
 murk_status murk_study_save(murk_study *study, const char *folder,
                             const murk_save_options *options,
                             const murk_fields **fields, murk_error *error);
@@ -793,9 +836,10 @@ typedef struct murk_fit_options {
 /* Reads the readings of the CSV file `data`, and prepares to fit keys[n] of a
  * scene to these readings: keys such as "media.fog.visibility_m",
  * "media.fog.albedo@each" (a value for each condition) or "gain.NAME" (a factor
- * of readings). options NULL: zeros; with options->predict, n must be 0. Fails
- * with MURK_BAD_VALUE or MURK_BAD_FILE if scene, readings, keys or options are
- * wrong. */
+ * of readings). options NULL: zeros; with options->predict, n and options->next
+ * must be 0; without, n must be above 0. Fails with MURK_BAD_VALUE or
+ * MURK_BAD_FILE if scene, readings, keys or options are wrong, and as
+ * murk_world_create(). */
 murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
                             const char *const *keys, size_t n,
                             const murk_fit_options *options, murk_error *error);
@@ -807,19 +851,22 @@ murk_status murk_fit_check_save(murk_fit *fit, const char *folder,
                                 murk_error *error);
 
 /* Finds the values of the keys, as murk fit. Fails with MURK_BAD_VALUE if the
- * fit has run already, with MURK_RUN_FAILED if the search cannot begin, and
- * with MURK_INTERRUPTED. */
+ * fit has run already, with MURK_RUN_FAILED if the search cannot begin, with
+ * MURK_BAD_FILE if options->next asks for places and a table of candidates is
+ * missing or malformed, and with MURK_INTERRUPTED. */
 murk_status murk_fit_run(murk_fit *fit, murk_error *error);
 void murk_fit_destroy(murk_fit *fit);
 
-/* The fields of fit.json. Fails with MURK_BAD_VALUE before murk_fit_run(). */
+/* *fields: those of fit.json, or with options->predict of predict.json. Fails
+ * with MURK_BAD_VALUE before murk_fit_run() has succeeded. */
 murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,
                             murk_error *error);
 
-/* Writes the files of murk fit to a folder: fit.json, fit.csv and
- * calibrated.yaml, or with options->predict predict.json and fit.csv. The
- * arguments are described at murk_save_options. Fails with MURK_BAD_VALUE or
- * MURK_RUN_FAILED, as described there. */
+/* Writes the files of murk fit to a folder: fit.json, fit.csv, calibrated.yaml
+ * and scene.resolved.yaml, or with options->predict predict.json, fit.csv and
+ * scene.resolved.yaml. The arguments are described at murk_save_options. Fails
+ * with MURK_BAD_VALUE before murk_fit_run() has succeeded, and with
+ * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */
 murk_status murk_fit_save(murk_fit *fit, const char *folder,
                           const murk_save_options *options,
                           const murk_fields **fields, murk_error *error);
