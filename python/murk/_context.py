@@ -95,7 +95,7 @@ class Context:
         self.c = ffi.gc(out[0], lib.murk_context_destroy)
 
     def cancel(self) -> None:
-        """Makes the call that runs, or else the next one, raise Interrupted; may be called from any thread.
+        """Makes the long call that runs, or else the next long call, raise Interrupted; may be called from any thread.
 
         Example: `threading.Timer(60, context.cancel).start()`.
         """

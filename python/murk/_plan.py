@@ -126,7 +126,8 @@ class Plan(Fielded):
         """Writes the files of `murk place` to a folder: plan.json, sensors.csv, coverage.csv, those of the light.
 
         exports: words of `--export`: fields, photons, surfaces, matrix, or-library, lp. Files that murk did not write,
-        or that were edited since, are replaced only if `replace` is true. Raises Error, and writes nothing then.
+        or that were edited since, are replaced only if `replace` is true. Raises Error, and writes
+        nothing then, unless an export alone cannot be made: then the other files are written.
 
         Example: `plan.save("out", exports=["photons", "surfaces"])`.
         """

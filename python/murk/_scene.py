@@ -247,7 +247,7 @@ class Scene:
     def add_table(self, name: str, **columns: ArrayLike) -> None:
         """Adds a table that keys for CSV files take as "memory:NAME"; columns: arrays of equal length by their heads.
 
-        Candidate places, targets, spectra, profiles, phase functions; units are those of the heads. Copied.
+        Candidate places, targets, phase functions; units are those of the heads. Copied.
         Raises Error if the lengths differ.
 
         Example: `scene.add_table("places", x_m=x, y_m=y, z_m=z)`, then
