@@ -86,11 +86,13 @@ const murk_option murk_option_table[] = {
      "the scene's keys to be found, by their paths; KEY@each: one value for "
      "each condition; gain.NAME: a factor of readings. Repeatable; each starts "
      "from the scene's value",
-     OWN(murk_option_free), .setting = "keys", .part = MURK_OPTION_AS_TEXT},
+     OWN(murk_option_free), .setting = "keys", .has_items = true,
+     .part = MURK_OPTION_AS_TEXT},
     {"--bounds", NULL, "KEY=LOW:HIGH", "fit",
      "keep a free key within these, either of which may be left out; "
      "repeatable",
-     OWN(murk_option_bounds), .setting = "bounds", .part = MURK_OPTION_AS_TEXT},
+     OWN(murk_option_bounds), .setting = "bounds", .has_items = true,
+     .part = MURK_OPTION_AS_TEXT},
     {"--loss", NULL, "none|huber|cauchy[:WIDTH]", "fit",
      "what a residual costs: its square, or less beyond WIDTH standard errors "
      "(1.345, 2.385), so that outliers pull less",
@@ -127,7 +129,7 @@ const murk_option murk_option_table[] = {
     {"--pixels", NULL, "WIDTHxHEIGHT", "render check",
      "size of the picture; replaces the camera's; check: of --picture, default "
      "1600 pixels wide and as high as needed",
-     OWN(murk_option_pixels), .part = MURK_OPTION_AS_TEXT},
+     OWN(murk_option_pixels), .setting = "pixels", .part = MURK_OPTION_AS_TEXT},
     {"--samples", NULL, "N", "render",
      "rays of each pixel, 1..65536; replaces the camera's",
      COUNT(1, MURK_SAMPLES_MAX), MEMBER(render.samples),
@@ -156,11 +158,11 @@ const murk_option murk_option_table[] = {
      "draw plan and two sections of the scene: surfaces in the cut, media, "
      "light sources, candidates, sensors, targets, domain, with scale and "
      "legend",
-     .kind = MURK_OPTION_TEXT, .is_left_out = true},
+     .kind = MURK_OPTION_TEXT, .setting = "picture", .is_left_out = true},
     {"--cut", NULL, "X,Y,Z", "check",
      "where --picture cuts in m: side section at x, front section at y, plan "
      "at z; default: the middle of the candidates, and 1.5 m above the floor",
-     OWN(murk_option_cut)},
+     OWN(murk_option_cut), .setting = "cut_m"},
     {"--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb",

@@ -52,6 +52,8 @@ typedef struct murk_option {
     const char *key;     /* scene key that gets the value; NULL: none */
     size_t at, size;     /* member of murk_options; size 0: none */
     const char *setting; /* the name of the value in messages of the library */
+    bool has_items; /* the value is a list, and messages name an item behind the
+                       setting: "keys KEY" */
     murk_option_part part;
     bool is_left_out; /* left out of the command line that is kept with results,
                          because it concerns the place of results or the form of

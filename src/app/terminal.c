@@ -57,7 +57,8 @@ static const char *place_of(const murk_options *options, const char *where,
         const murk_option *option = &murk_option_table[i];
         const size_t length = option->setting ? strlen(option->setting) : 0;
         if (length > 0 && strncmp(option->setting, where, length) == 0 &&
-            (where[length] == '\0' || where[length] == ' ')) {
+            (where[length] == '\0' ||
+             (option->has_items && where[length] == ' '))) {
             snprintf(out, PLACE_SIZE, "%s%s", option->name, where + length);
             return out;
         }
