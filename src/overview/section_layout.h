@@ -1,9 +1,9 @@
 /* Where views, legend and texts of the picture of murk check lie on the sheet,
  * and which part of the world the views show. */
-#ifndef MURK_APP_SECTION_LAYOUT_H
-#define MURK_APP_SECTION_LAYOUT_H
+#ifndef MURK_OVERVIEW_SECTION_LAYOUT_H
+#define MURK_OVERVIEW_SECTION_LAYOUT_H
 
-#include "app/section_request.h"
+#include "overview/section_request.h"
 
 typedef struct murk_section_layout {
     size_t width, height; /* of the sheet [pixels] */

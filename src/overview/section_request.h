@@ -1,9 +1,9 @@
 /* What the picture of murk check is asked to show, and the three views that
  * show it. */
-#ifndef MURK_APP_SECTION_REQUEST_H
-#define MURK_APP_SECTION_REQUEST_H
+#ifndef MURK_OVERVIEW_SECTION_REQUEST_H
+#define MURK_OVERVIEW_SECTION_REQUEST_H
 
-#include "app/section_view.h"
+#include "overview/section_view.h"
 #include "plan/targets.h"
 #include "sensing/candidates.h"
 

@@ -5,10 +5,10 @@
  * -x. The plan stands above the front section and shares x with it; the side
  * section stands to the right of the front section and shares z with it (third
  * angle projection). All three have one scale. */
-#ifndef MURK_APP_SECTION_PICTURE_H
-#define MURK_APP_SECTION_PICTURE_H
+#ifndef MURK_OVERVIEW_SECTION_PICTURE_H
+#define MURK_OVERVIEW_SECTION_PICTURE_H
 
-#include "app/section_request.h"
+#include "overview/section_request.h"
 
 /* The least size of a sheet [pixels]: views and a legend of readable letters
  * fit into no smaller one. */
@@ -16,8 +16,9 @@
 #define MURK_SECTION_HEIGHT_MIN 480
 
 /* Draws the sheet; sets request->cut to the planes, and request->view. The
- * caller destroys *out. Fails with MURK_BAD_VALUE if a plane of the request is
- * outside of the domain, MURK_NO_MEMORY, or as murk_canvas_create() does. */
+ * caller destroys *out. Fails with MURK_BAD_VALUE at "cut_m" if a plane of the
+ * request is outside of the domain, with MURK_NO_MEMORY, or as
+ * murk_canvas_create() does. */
 murk_status murk_section_picture_draw(murk_canvas **out,
                                       murk_section_request *request,
                                       murk_error *err);

@@ -1,7 +1,7 @@
 /* Lays out plan and sections on a sheet: chooses the part of the world, the
  * largest scale at which the views fit beside the legend, and the places of the
  * views. */
-#include "app/section_layout.h"
+#include "overview/section_layout.h"
 
 #include "world/section_cut.h"
 

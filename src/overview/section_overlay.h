@@ -1,10 +1,10 @@
 /* What a view of the picture of murk check shows beside surfaces: bounds of
  * media and zones, the domain, light sources, sensors, cameras and targets; and
  * the symbols of the legend. */
-#ifndef MURK_APP_SECTION_OVERLAY_H
-#define MURK_APP_SECTION_OVERLAY_H
+#ifndef MURK_OVERVIEW_SECTION_OVERLAY_H
+#define MURK_OVERVIEW_SECTION_OVERLAY_H
 
-#include "app/section_request.h"
+#include "overview/section_request.h"
 
 /* Planes of the other views; no other thing has this colour. */
 #define MURK_SECTION_MARK ((murk_ink){{190, 0, 110}, 1})

@@ -1,7 +1,7 @@
 /* Parts of murk check: for each, one function prints lines of the summary, and
  * another adds a part of the JSON. */
-#ifndef MURK_APP_CHECK_H
-#define MURK_APP_CHECK_H
+#ifndef MURK_OVERVIEW_PARTS_H
+#define MURK_OVERVIEW_PARTS_H
 
 #include "lightmap/lightmap.h"
 #include "plan/poses.h"
@@ -11,8 +11,8 @@
 /* Media with their coefficients, phase functions and grids, and regions with
  * their bounds: "media" and "regions". Bounds of an unbounded region are those
  * of the part in the domain. */
-void murk_print_media(const murk_stage *stage);
-void murk_json_media(cJSON *root, const murk_stage *stage);
+void murk_overview_print_media(const murk_stage *stage);
+void murk_overview_json_media(cJSON *root, const murk_stage *stage);
 
 /* The power of all lights together, in watts and in the scene's `units`; of
  * each light of the sky the irradiance, and the position of sun or moon; and
@@ -21,24 +21,24 @@ void murk_json_media(cJSON *root, const murk_stage *stage);
  * irradiance_w_per_m2, irradiance, unit (of `units`), taken_again: {share,
  * optical_depth, transmittance}}]}, with null for each value that a light does
  * not have. */
-void murk_print_lights(const murk_stage *stage);
-void murk_json_lights(cJSON *root, const murk_stage *stage);
+void murk_overview_print_lights(const murk_stage *stage);
+void murk_overview_json_lights(cJSON *root, const murk_stage *stage);
 
 /* Types of sensors, with the number of their usable candidates: "sensors", null
  * without poses. */
-void murk_print_sensor_types(const murk_scene_desc *scene,
-                             const murk_poses *poses);
-void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
-                            const murk_poses *poses);
+void murk_overview_print_sensor_types(const murk_scene_desc *scene,
+                                      const murk_poses *poses);
+void murk_overview_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
+                                     const murk_poses *poses);
 
 /* Cameras: "cameras": [{name, type, pixels, samples, memory_bytes}], the memory
  * of one picture by maps with the maps and the kernels made of them; and
  * warnings of pictures that would not fit into the free memory. */
-void murk_print_cameras(const murk_scene_desc *scene,
-                        const murk_forecast *forecast);
-void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
-                       const murk_forecast *forecast);
-void murk_warn_of_cameras(const murk_scene_desc *scene,
-                          const murk_forecast *forecast);
+void murk_overview_print_cameras(const murk_scene_desc *scene,
+                                 const murk_forecast *forecast);
+void murk_overview_json_cameras(cJSON *root, const murk_scene_desc *scene,
+                                const murk_forecast *forecast);
+void murk_overview_warn_of_cameras(const murk_scene_desc *scene,
+                                   const murk_forecast *forecast);
 
 #endif

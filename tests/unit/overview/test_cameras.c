@@ -1,8 +1,8 @@
 /* The memory that `murk check` predicts for pictures equals the sizes of the
  * buffers that rendering allocates. Nothing here is random. */
-#include "app/check.h"
 #include "base/log.h"
 #include "check.h"
+#include "overview/parts.h"
 #include "render/render.h"
 
 static char noted[1000];
@@ -17,7 +17,7 @@ static double predicted(const murk_scene_desc *scene,
                         const murk_forecast *forecast, int camera)
 {
     cJSON *root = cJSON_CreateObject();
-    murk_json_cameras(root, scene, forecast);
+    murk_overview_json_cameras(root, scene, forecast);
     const cJSON *item =
         cJSON_GetArrayItem(cJSON_GetObjectItem(root, "cameras"), camera);
     const cJSON *bytes = cJSON_GetObjectItem(item, "memory_bytes");
@@ -50,7 +50,7 @@ static void test_pictures_and_maps_are_forecast(void)
     /* copies of 32 bytes, kernels of at least 24, balls of 16 */
     CHECK(kernels > 1.1e6 * (32 + 24 + 16));
     const murk_warn_sink before = murk_warn_to(keep_note);
-    murk_warn_of_cameras(&scene, &dark);
+    murk_overview_warn_of_cameras(&scene, &dark);
     (void)murk_warn_to(before);
     static const char want[] = "yard.yaml:10:5: cameras.1: a picture of "
                                "1048576 x 1048576 pixels by maps takes about ";

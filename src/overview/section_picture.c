@@ -1,15 +1,15 @@
-/* Draws the sheet of murk check: three sections (app/section_view.h) at the
- * places of app/section_layout.h, everything of the scene that is no surface,
- * axes, and a legend that lists what is there. */
-#include "app/section_picture.h"
+/* Draws the sheet of murk check: three sections (overview/section_view.h) at
+ * the places of overview/section_layout.h, everything of the scene that is no
+ * surface, axes, and a legend that lists what is there. */
+#include "overview/section_picture.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "app/section_layout.h"
-#include "app/section_overlay.h"
 #include "base/source_type.h"
+#include "overview/section_layout.h"
+#include "overview/section_overlay.h"
 #include "scene/places.h"
 #include "world/section_cut.h"
 
@@ -404,7 +404,7 @@ static murk_status check_cut(const murk_section_request *r, murk_error *err)
         const double low = murk_component(box->min, k);
         const double high = murk_component(box->max, k);
         if (!(at >= low && at <= high)) {
-            return murk_fail(err, MURK_BAD_VALUE, "--cut",
+            return murk_fail(err, MURK_BAD_VALUE, "cut_m",
                              "%c is %.9g m, must be within the domain, "
                              "%.9g..%.9g m",
                              "xyz"[k], murk_component(asked, k),

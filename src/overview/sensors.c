@@ -1,6 +1,6 @@
 /* The sensor types of a scene as murk check reports them, with the number of
  * their candidates. */
-#include "app/check.h"
+#include "overview/parts.h"
 
 #include "results/summary.h"
 
@@ -26,8 +26,8 @@ static size_t headings_of(const murk_scene_sensor_type *type)
     return type->headings_deg.n ? type->headings_deg.n : (size_t)type->headings;
 }
 
-void murk_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
-                            const murk_poses *poses)
+void murk_overview_json_sensor_types(cJSON *root, const murk_scene_desc *scene,
+                                     const murk_poses *poses)
 {
     if (!poses) {
         cJSON_AddNullToObject(root, "sensors");
@@ -63,8 +63,8 @@ static void print_view(const murk_scene_sensor_type *type)
                headings == 1 ? "" : "s", tilts, tilts == 1 ? "" : "s");
 }
 
-void murk_print_sensor_types(const murk_scene_desc *scene,
-                             const murk_poses *poses)
+void murk_overview_print_sensor_types(const murk_scene_desc *scene,
+                                      const murk_poses *poses)
 {
     const murk_scene_sensors *settings = &scene->sensors;
     for (size_t k = 0; k < settings->types; ++k) {

@@ -1,6 +1,6 @@
 /* The media and regions of a scene as murk check reports them: coefficients,
  * grids, phase functions and bounds. */
-#include "app/check.h"
+#include "overview/parts.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -121,7 +121,7 @@ static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
     murk_json_numbers(g, "voxel_m", facts->voxel_m, 3);
 }
 
-void murk_json_media(cJSON *root, const murk_stage *stage)
+void murk_overview_json_media(cJSON *root, const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
     cJSON *media = cJSON_AddArrayToObject(root, "media");
@@ -251,7 +251,7 @@ static void print_medium(const murk_stage *stage, size_t medium)
     }
 }
 
-void murk_print_media(const murk_stage *stage)
+void murk_overview_print_media(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
     const int digits = murk_coordinate_digits(scene, 4);

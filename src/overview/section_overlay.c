@@ -1,6 +1,6 @@
 /* Draws what is no surface into a view of the picture of murk check. Every kind
  * of thing has one pen or one mark, which the legend shows as well. */
-#include "app/section_overlay.h"
+#include "overview/section_overlay.h"
 
 #include <stdio.h>
 

@@ -1,8 +1,7 @@
 /* The cameras of a scene as murk check reports them, with the memory that a
  * picture by maps takes. */
-#include "app/check.h"
+#include "overview/parts.h"
 
-#include "api/scene_picture.h"
 #include "base/log.h"
 #include "base/machine.h"
 #include "render/render.h"
@@ -24,12 +23,15 @@ static double bytes_of(const murk_scene_desc *scene,
 static murk_projection projection_of(const murk_scene_desc *scene,
                                      size_t camera)
 {
-    static const size_t own[2] = {0, 0}; /* the camera's pixels */
-    return murk_camera_of_scene(&scene->cameras[camera], scene, own).projection;
+    static const murk_projection projections[] = {
+        [MURK_SCENE_PERSPECTIVE] = MURK_PERSPECTIVE,
+        [MURK_SCENE_EQUIRECTANGULAR] = MURK_EQUIRECTANGULAR,
+        [MURK_SCENE_ORTHOGRAPHIC] = MURK_ORTHOGRAPHIC};
+    return projections[scene->cameras[camera].projection];
 }
 
-void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
-                       const murk_forecast *forecast)
+void murk_overview_json_cameras(cJSON *root, const murk_scene_desc *scene,
+                                const murk_forecast *forecast)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "cameras");
     for (size_t i = 0; i < scene->n_cameras; ++i) {
@@ -45,8 +47,8 @@ void murk_json_cameras(cJSON *root, const murk_scene_desc *scene,
     }
 }
 
-void murk_print_cameras(const murk_scene_desc *scene,
-                        const murk_forecast *forecast)
+void murk_overview_print_cameras(const murk_scene_desc *scene,
+                                 const murk_forecast *forecast)
 {
     for (size_t i = 0; i < scene->n_cameras; ++i) {
         const murk_scene_camera *c = &scene->cameras[i];
@@ -62,8 +64,8 @@ void murk_print_cameras(const murk_scene_desc *scene,
     }
 }
 
-void murk_warn_of_cameras(const murk_scene_desc *scene,
-                          const murk_forecast *forecast)
+void murk_overview_warn_of_cameras(const murk_scene_desc *scene,
+                                   const murk_forecast *forecast)
 {
     const double have = murk_machine_memory_bytes();
     for (size_t i = 0; i < scene->n_cameras; ++i) {

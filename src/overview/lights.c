@@ -1,7 +1,7 @@
 /* The lights of a scene as murk check reports them: power, the position of sun
  * and moon, irradiance, and the share of the light from outside that the media
  * of the domain absorb or scatter before it meets a surface or water. */
-#include "app/check.h"
+#include "overview/parts.h"
 
 #include "results/summary.h"
 
@@ -73,7 +73,7 @@ static void print_power(const murk_stage *stage)
     murk_print(" together\n");
 }
 
-void murk_print_lights(const murk_stage *stage)
+void murk_overview_print_lights(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
     print_power(stage);
@@ -117,7 +117,7 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
     murk_json_numbers(object, "transmittance", taken.transmittance.band, bands);
 }
 
-void murk_json_lights(cJSON *root, const murk_stage *stage)
+void murk_overview_json_lights(cJSON *root, const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
     /* All lights together, also in the units of the scene. */

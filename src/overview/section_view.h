@@ -1,8 +1,8 @@
 /* One view of a scene as architects draw it: the world is cut by a plane at
  * right angles to an axis, surfaces in the plane are lines, and everything
  * beyond the plane is seen along the axis without perspective. */
-#ifndef MURK_APP_SECTION_VIEW_H
-#define MURK_APP_SECTION_VIEW_H
+#ifndef MURK_OVERVIEW_SECTION_VIEW_H
+#define MURK_OVERVIEW_SECTION_VIEW_H
 
 #include "path/viewpoint.h"
 #include "render/canvas.h"

@@ -1,7 +1,7 @@
 /* Draws one section of a scene: a ray from each pixel of the plane finds the
  * surface beyond, and the exact segments in which the plane cuts surfaces
  * (geometry/plane_cut.h) are drawn as lines. */
-#include "app/section_view.h"
+#include "overview/section_view.h"
 
 #include <stdlib.h>
 #include <string.h>
