@@ -497,6 +497,44 @@ murk_status murk_world_replay(murk_world *world, uint64_t photon,
                               const murk_save_options *options,
                               const murk_fields **fields, murk_error *error);
 
+/* What murk_world_check() draws. All members but size may be zeros. */
+typedef struct murk_check_options {
+    size_t size;         /* sizeof(murk_check_options) */
+    const char *picture; /* path of a PNG file, ending in ".png", for a plan and
+                          * two sections of the world on one sheet; NULL: no
+                          * picture, and the members below must be zeros */
+    size_t pixels[2];    /* width and height of the sheet, 640 x 480 or more;
+                          * zeros: 1600 wide, and as high as needed */
+    const double *cut_m; /* [3] x of the plane of the side section, y of that of
+                          * the front section and z of that of the plan [m];
+                          * NULL: x and y of the middle of the candidates, or of
+                          * all things if there are none, and z at most 1.5 m
+                          * above the floor */
+} murk_check_options;
+
+/* Looks over the world before its light is traced, as murk check, and gives
+ * warnings of what is probably wrong to the log of the context. *fields, which
+ * murk-results(5) lists: `domain`, `surfaces`, `mesh_materials`, `media`,
+ * `regions`, `lights`, `candidates`, `sensors`, `tallies`, `cameras` and
+ * `forecast` (the photons that a run will emit and store, and the memory of the
+ * run [bytes], by a pilot run of few photons), with options->picture `picture`,
+ * and `identity`, `files` and `run`. run.summary, the lines of text that the
+ * program prints, is a field alone and not in murk_fields_json(). fields may be
+ * NULL; else *fields are valid until the next call of this function with the
+ * world. options NULL: zeros. save: `replaces`, without which a file that murk
+ * did not write is not replaced by the picture, and `command` and `asked`, for
+ * `run` and `identity`, are used; NULL: zeros. Fails with MURK_BAD_VALUE if an
+ * option is wrong, if the picture may not be replaced, or if the scene has too
+ * few photons, or sensors or targets that do not fit the world; with
+ * MURK_BAD_FILE if a list of places that the scene names is malformed, with
+ * MURK_RUN_FAILED if the picture cannot be written, with MURK_INTERRUPTED if
+ * the call is cancelled, and as murk_world_create() if that has not built the
+ * world. */
+murk_status murk_world_check(murk_world *world,
+                             const murk_check_options *options,
+                             const murk_save_options *save,
+                             const murk_fields **fields, murk_error *error);
+
 /* ---- light ---- */
 
 typedef struct murk_light murk_light;

@@ -66,7 +66,8 @@ static const struct {
     bool is_list;
 } settings[] = {{"keys", true},     {"bounds", true},   {"exports", false},
                 {"voxel_m", false}, {"runs", false},    {"loss", false},
-                {"predict", false}, {"command", false}, {"photon", false}};
+                {"predict", false}, {"command", false}, {"photon", false},
+                {"picture", false}, {"pixels", false},  {"cut_m", false}};
 
 /* Returns the part of a place behind MURK_SET_MARK ("set "), or behind the name
  * of a setting and a blank if the setting is a list: a text that begins with a

@@ -72,6 +72,7 @@ struct murk_world {
                              * reading, or, once the stage is built, to the end
                              * of building */
     murk_fields replayed;   /* of the last murk_world_replay() */
+    murk_fields checked;    /* of the last murk_world_check() */
 };
 
 struct murk_light {

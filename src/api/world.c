@@ -77,6 +77,7 @@ void murk_world_release(murk_world *world)
         return;
     }
     murk_fields_release(&world->replayed);
+    murk_fields_release(&world->checked);
     murk_stage_destroy(world->stage);
     murk_scene_desc_destroy(world->desc);
     murk_memory_release(&world->files);

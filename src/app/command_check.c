@@ -1,12 +1,12 @@
 /* murk check: reads and builds a scene, and reports surfaces, media, lights,
  * candidates, sensors, cameras, doubtful points and the memory that a run
  * takes. */
-#include "app/session.h"
-#include "overview/overview.h"
+#include "app/given.h"
+#include "app/show.h"
 
 #include <string.h>
 
-/* Fails with the message of the overview, in which "a picture" becomes the
+/* Fails with the message of the library, in which "a picture" becomes the
  * option of the program. */
 static murk_status refuse(const murk_error *why, murk_error *err)
 {
@@ -20,25 +20,33 @@ static murk_status refuse(const murk_error *why, murk_error *err)
 
 murk_status murk_command_check(const murk_options *options, murk_error *err)
 {
-    murk_session session;
-    murk_overview overview = {0};
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_given_save save = {.exports = NULL};
     murk_error why = {0};
-    const murk_section_file picture = {
-        .path = murk_option_text(options, "--picture"),
-        .cut_m = options->section.has_cut ? options->section.cut_m : NULL,
-        .pixels = {options->render.pixels[0], options->render.pixels[1]}};
-    murk_status status = murk_session_begin(&session, options, err);
-    if (!status && murk_overview_make(&overview, &session, &picture, &why)) {
+    const murk_fields *fields = NULL;
+    const murk_check_options check = {
+        .size = sizeof check,
+        .picture = murk_option_text(options, "--picture"),
+        .pixels = {options->render.pixels[0], options->render.pixels[1]},
+        .cut_m = options->section.has_cut ? options->section.cut_m : NULL};
+    /* The scene, its world, and the options of the results. */
+    murk_status status = murk_given_scene(&scene, options, err);
+    if (!status) {
+        status = murk_world_create(&world, scene, err);
+    }
+    if (!status) {
+        status = murk_given_save_begin(&save, options, err);
+    }
+    if (!status &&
+        murk_world_check(world, &check, &save.options, &fields, &why)) {
         status = refuse(&why, err);
     }
-    /* The report as JSON or as text. */
-    if (!status && options->json) {
-        status = murk_session_finish(
-            &session, NULL, murk_overview_json(&overview), NULL, NULL, err);
-    } else if (!status && murk_session_speaks(&session)) {
-        murk_overview_print(&overview);
+    if (!status) {
+        murk_show_results(options, fields);
     }
-    murk_overview_release(&overview);
-    murk_session_end(&session);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+    murk_given_save_end(&save);
     return status;
 }

@@ -24,13 +24,6 @@ static murk_status read_scene(murk_scene_desc **out,
     return status;
 }
 
-murk_status murk_session_begin(murk_session *session,
-                               const murk_options *options, murk_error *err)
-{
-    const murk_status status = murk_session_read(session, options, err);
-    return status ? status : murk_session_build(session, err);
-}
-
 void murk_session_quiet(const murk_options *options)
 {
     if (options->quiet) {

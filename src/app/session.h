@@ -1,6 +1,6 @@
-/* What the commands that use rooms instead of murk.h (check, render, replay,
- * place --matrix) do first: they read the scene, build the world, and trace or
- * read light. */
+/* What murk render, which uses folders below the library instead of murk.h,
+ * does first: it reads the scene, builds the world, and traces or reads light.
+ */
 #ifndef MURK_APP_SESSION_H
 #define MURK_APP_SESSION_H
 
@@ -15,13 +15,10 @@ void murk_session_quiet(const murk_options *options);
 void murk_session_set(murk_session *session, const murk_options *options);
 
 /* murk_session_scene() sets the session and reads the scene;
- * murk_session_read() does the same and makes the folder of results;
- * murk_session_begin() does the same and builds the world. murk_session_build()
- * builds the world of a scene that is read, and murk_session_light() traces
- * light or reads it from the file of --light. Call murk_session_end() also
- * after a failure. */
-murk_status murk_session_begin(murk_session *session,
-                               const murk_options *options, murk_error *err);
+ * murk_session_read() does the same and makes the folder of results.
+ * murk_session_build() builds the world of a scene that is read, and
+ * murk_session_light() traces light or reads it from the file of --light. Call
+ * murk_session_end() also after a failure. */
 murk_status murk_session_scene(murk_session *session,
                                const murk_options *options, murk_error *err);
 murk_status murk_session_read(murk_session *session,

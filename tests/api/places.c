@@ -47,6 +47,33 @@ static void check_place(const char *where, const char *key,
     }
 }
 
+/* Settings of murk_world_check(). */
+static void check_overview(const given *g)
+{
+    static const double inside_m[] = {2, 2, 1}, outside_m[] = {2, 2, 9};
+    static const struct {
+        const char *where;
+        murk_check_options options;
+    } cases[] = {{"picture", {.picture = "sheet.svg"}},
+                 {"picture", {.picture = ".png"}},
+                 {"pixels", {.pixels = {800, 600}}},
+                 {"pixels", {.picture = "sheet.png", .pixels = {0, 600}}},
+                 {"pixels", {.picture = "sheet.png", .pixels = {800, 400}}},
+                 {"cut_m", {.cut_m = inside_m}},
+                 {"cut_m", {.picture = "sheet.png", .cut_m = outside_m}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        murk_error error = MURK_ERROR_NONE;
+        const murk_fields *fields = NULL;
+        murk_check_options options = cases[i].options;
+        options.size = sizeof options;
+        check(murk_world_check(g->world, &options, NULL, &fields, &error) ==
+                      MURK_BAD_VALUE &&
+                  !fields,
+              cases[i].where, "a check that failed has fields");
+        check_place(cases[i].where, "", &error);
+    }
+}
+
 static void check_settings(const given *g)
 {
     static const struct {
@@ -134,6 +161,7 @@ int main(void)
         return 1;
     }
     check_settings(&g);
+    check_overview(&g);
     check_key(&g);
     murk_light_destroy(g.light);
     murk_world_destroy(g.world);

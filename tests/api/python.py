@@ -57,6 +57,17 @@ def program_agrees(folder):
     replay = subprocess.run([program, "replay", scene_file, "--photon", "7", "--format", "json"], check=True,
                             capture_output=True, text=True).stdout
     check(scene.world().replay(7).events == json.loads(replay)["events"], "the events of a photon")
+    # a look over the world, with its picture
+    sheet = os.path.join(folder, "sheet.png")
+    told = json.loads(subprocess.run([program, "check", scene_file, "--picture", sheet, "--format", "json"], check=True,
+                                     capture_output=True, text=True).stdout)
+    looked = scene.world().check(sheet)
+    others = ("run", "files", "identity")  # of the command line, also in the file
+    check({k: v for k, v in looked.items() if k not in others} == {k: v for k, v in told.items() if k not in others},
+          "a look over the world")
+    looked = scene.world().check(sheet, pixels=(800, 600), cut_m=told["picture"]["cut_m"])
+    check(looked.picture.cut_m == told["picture"]["cut_m"] and looked.picture.sections != told["picture"]["sections"],
+          "the planes and the size of a picture")
     # light that the program wrote, and sensors that it chose
     light = scene.world().read_light(os.path.join(by_program, "light.murk"))
     check(light.sense(os.path.join(by_program, "plan.json")).coverage["in_sample"] ==

@@ -224,7 +224,8 @@ static void add_lists(const given *g)
                &error, "has 0 dimensions");
 }
 
-/* Saving that is refused leaves NULL in *fields. */
+/* Saving that is refused leaves NULL in *fields, and so does a look over no
+ * world. */
 #define SAVE(handle)                                                       \
     do {                                                                   \
         murk_error error = MURK_ERROR_NONE;                                \
@@ -242,6 +243,12 @@ static void save_all(void)
     SAVE(plan);
     SAVE(study);
     SAVE(fit);
+    murk_error error = MURK_ERROR_NONE;
+    const murk_fields *fields = (const void *)&failures;
+    check(murk_world_check(NULL, NULL, NULL, &fields, &error) ==
+                  MURK_BAD_VALUE &&
+              !fields && error.text[0],
+          "murk_world_check", "is not refused without a world");
 }
 
 int main(void)

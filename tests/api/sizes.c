@@ -61,6 +61,12 @@ static murk_status take_save_options(const given *g, void *of,
     return status;
 }
 
+static murk_status take_check_options(const given *g, void *of,
+                                      murk_error *error)
+{
+    return murk_world_check(g->world, of, NULL, NULL, error);
+}
+
 static murk_status take_study_options(const given *g, void *of,
                                       murk_error *error)
 {
@@ -123,6 +129,7 @@ static murk_status fill_array(const given *g, void *of, murk_error *error)
 static const double places[4] = {1, 2, 3, 4};
 static const murk_context_options of_context = {.size = sizeof of_context};
 static const murk_save_options of_save = {.size = sizeof of_save};
+static const murk_check_options of_check = {.size = sizeof of_check};
 static const murk_study_options of_study = {.size = sizeof of_study};
 static const murk_fit_options of_fit = {.size = sizeof of_fit};
 static const murk_sensor of_sensor = {.size = sizeof of_sensor, .type = "node"};
@@ -145,6 +152,8 @@ static const struct {
              sizeof of_context, sizeof(size_t), false},
             {"murk_save_options", take_save_options, &of_save, sizeof of_save,
              sizeof(size_t), false},
+            {"murk_check_options", take_check_options, &of_check,
+             sizeof of_check, sizeof(size_t), false},
             {"murk_study_options", take_study_options, &of_study,
              sizeof of_study, sizeof(size_t), false},
             {"murk_fit_options", take_fit_options, &of_fit, sizeof of_fit,

@@ -1,4 +1,5 @@
-/* A world: the box of the domain, the bands, and the events of one photon. */
+/* A world: the box of the domain, the bands, a look over all that is in it, and
+ * the events of one photon. */
 #include "example.h"
 
 int main(void)
@@ -17,6 +18,20 @@ int main(void)
     for (int i = 0; i < murk_world_bands(world); ++i) {
         printf("band %d: %g nm\n", i, murk_world_band_nm(world, i));
     }
+    /* What is in the world, and what a run will take. */
+    const murk_check_options check = {.size = sizeof check,
+                                      .picture = "room.png"};
+    const murk_fields *facts = NULL;
+    double area_m2 = 0, usable = 0, emitted = 0;
+    must(murk_world_check(world, &check, NULL, &facts, &error), &error);
+    must(murk_fields_double(facts, "surfaces.area_m2", &area_m2, &error),
+         &error);
+    must(murk_fields_double(facts, "candidates.usable", &usable, &error),
+         &error);
+    must(murk_fields_double(facts, "forecast.emitted", &emitted, &error),
+         &error);
+    printf("%g m2, %g places for sensors, %g photons\n", area_m2, usable,
+           emitted);
     /* The path of photon 1. */
     const murk_fields *replay = NULL;
     must(murk_world_replay(world, 1, NULL, &replay, &error), &error);
@@ -40,6 +55,7 @@ int main(void)
  *
  * 8 x 6 x 3 m
  * band 0: 532 nm
+ * 180 m2, 24 places for sensors, 20000 photons
  * emitted after 0.00 m
  * surface after 0.20 m
  * surface after 4.49 m
