@@ -63,9 +63,10 @@ murk_status murk_save_set(murk_session *session, const char *folder,
 
 /* ---- what would be refused ---- */
 
-/* Refuses too many repeats, seeds of repeats beyond 32 bits, the key at_least
- * for repeats and for the export lp, and repeats over conditions that have a
- * seed of their own. */
+/* Refuses more than MURK_REPEATS_MAX repeats; seeds of repeats beyond 32 bits;
+ * the key at_least together with repeats or with the export lp; and, for
+ * repeats with placement.over, a condition whose seed differs from that of the
+ * scene. `runs` 0: no repeats. */
 static murk_status check_repeat(const murk_session *session, uint64_t runs,
                                 murk_error *err)
 {

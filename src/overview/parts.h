@@ -16,11 +16,13 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage);
 
 /* The power of all lights together, in watts and in the scene's `units`; of
  * each light of the sky the irradiance, and the position of sun or moon; and
- * lamps that are off. The JSON has the lamps, too. Adds "lights": {count,
- * power_w, power_lm.., sky: [{light, type, on, azimuth_deg, elevation_deg,
- * irradiance_w_per_m2, irradiance, unit (of `units`), taken_again: {share,
- * optical_depth, transmittance}}]}, with null for each value that a light does
- * not have. */
+ * which lamps are off. Adds "lights": {count, power_w, power_SUFFIX (in the
+ * scene's `units`, unless these are radiometric), sky: [{light, type, on,
+ * azimuth_deg, elevation_deg, irradiance_w_per_m2, irradiance, unit (of
+ * `units`), taken_again: {share, optical_depth, transmittance} of the media of
+ * the scene (world/daylight_loss.h)}]}. The array sky has every light, lamps
+ * too, by its number in the scene, with null for each value, or for
+ * taken_again as a whole, that a light does not have. */
 void murk_overview_print_lights(const murk_stage *stage);
 void murk_overview_json_lights(cJSON *root, const murk_stage *stage);
 

@@ -235,8 +235,11 @@ static void draw_region(murk_canvas *c, const murk_section_view *v,
     }
 }
 
-/* The name of the medium of a region, in the upper left corner. Names of
- * several regions in one corner stand below each other. */
+/* Draws the name of the medium of region i at the upper left corner of the
+ * region's bounding box in the view; a side of the box that lies left of or
+ * above the view is replaced by the edge of the view. For each earlier region
+ * whose corner is nearer than 60 u sideways and 16 u upwards or downwards the
+ * name moves down by one line (18 u). */
 static void draw_medium_name(murk_canvas *c, const murk_section_view *v,
                              const murk_stage *stage, size_t i, double u)
 {
