@@ -922,19 +922,42 @@ typedef enum murk_method {
                            * records */
 } murk_method;
 
-/* Renders the picture of a camera of the scene; NULL: of the first one. Fails
- * with MURK_BAD_VALUE if the scene has no such camera, or not the maps that the
- * method needs, and with MURK_INTERRUPTED if the call is cancelled. */
-murk_status murk_picture_render(murk_picture **out, murk_light *light,
-                                const char *camera, murk_method method,
+/* What a picture shows. All members but size may be 0 or NULL. */
+typedef struct murk_picture_options {
+    size_t size;        /* sizeof(murk_picture_options) */
+    const char *camera; /* the name of a camera of the scene; NULL: the first,
+                         * or with from_sensor no camera */
+    murk_method method;
+    const murk_sensors *sensors; /* the picture gets the channels of their
+                                  * coverage; NULL: none */
+    uint64_t from_sensor; /* the picture is the view of this one of `sensors`,
+                           * from 1 on: of a type with hfov and vfov that view,
+                           * of other types a view all round. Pixels and samples
+                           * are those of the camera if it is named, else 640
+                           * pixels across and 16 samples. 0: of the camera */
+    size_t width, height; /* [pixels]; both 0: those of the camera */
+    uint64_t samples;     /* of each pixel, up to 65536; 0: of the camera */
+} murk_picture_options;
+
+/* Renders the picture of a world from the light, which must be of this world.
+ * light NULL: for MURK_METHOD_PATHS alone, which uses no light. options NULL:
+ * zeros. Fails with MURK_BAD_VALUE if the scene has no such camera, if the list
+ * has no such sensor, if the camera is outside of the domain, if a number is
+ * out of range, or if the scene does not store the maps that the method needs,
+ * with MURK_NO_MEMORY, and with MURK_INTERRUPTED if the call is cancelled. */
+murk_status murk_picture_render(murk_picture **out, murk_world *world,
+                                murk_light *light,
+                                const murk_picture_options *options,
                                 murk_error *error);
 void murk_picture_destroy(murk_picture *picture);
 
 /* A channel, height x width float32, rows from the top: "distance_m"; of band b
  * "radiance.b" and "error.b" (its standard error) [W/m2/sr], "surface.b" and
  * "volume.b" (parts of the radiance), "depth.b" (optical depth); "rgb.0" to
- * "rgb.2", "rgb_error.0" to "rgb_error.2"; "position_m.0" to "position_m.2".
- * Fails with MURK_BAD_VALUE if the picture has no such channel. */
+ * "rgb.2", "rgb_error.0" to "rgb_error.2"; "position_m.0" to "position_m.2";
+ * with sensors "coverage.count", how many of them see the surface of the pixel,
+ * and "coverage.clarity", the largest clarity of their views, 0 to 1. Fails
+ * with MURK_BAD_VALUE if the picture has no such channel. */
 murk_status murk_picture_array(const murk_picture *picture, const char *channel,
                                murk_array *view, murk_error *error);
 
@@ -942,6 +965,60 @@ murk_status murk_picture_array(const murk_picture *picture, const char *channel,
  * `path` that murk did not write, and with MURK_RUN_FAILED if the file cannot
  * be written. */
 murk_status murk_picture_write(const murk_picture *picture, const char *path,
+                               murk_error *error);
+
+typedef enum murk_colour_scale {
+    MURK_SCALE_AUTO, /* logarithmic for radiances and their errors unless the
+                      * range begins at 0 or below; else linear */
+    MURK_SCALE_LINEAR,
+    MURK_SCALE_LOG
+} murk_colour_scale;
+
+/* The PNG files that murk_picture_save() writes beside the OpenEXR image. */
+typedef struct murk_image_options {
+    size_t size; /* sizeof(murk_image_options) */
+    bool png;    /* the picture for the eye, as NAME.png beside NAME.exr */
+    bool has_exposure;
+    double exposure_stops;    /* of that PNG, -100 to 100: radiance is shown
+                               * 2^exposure_stops times as bright; without
+                               * has_exposure: by the picture */
+    const char *false_colour; /* a channel in false colour with a legend, as
+                               * NAME-CHANNEL.png; NULL: none. The names are
+                               * those in the OpenEXR file: "radiance.550nm", of
+                               * one band "radiance", "Z", "coverage.count" */
+    bool has_range;
+    double range[2]; /* values that the false colours go from and to; without
+                      * has_range: by the picture */
+    murk_colour_scale scale; /* of the false colours */
+} murk_image_options;
+
+/* Writes the OpenEXR image `path` and the PNG files that png asks for (NULL:
+ * none), each of them whole or not at all. path NULL: no file is written.
+ * options: `replaces`, `command` and `asked` are used, as described at
+ * murk_save_options; NULL: zeros. fields may be NULL; else *fields are those of
+ * murk render --format json: `image`, `png` and `false_colour` (the files),
+ * `camera`, `projection`, `from_m`, `heading_deg`, `tilt_deg`, `method`,
+ * `pixels`, `samples`, `sensors`, `rays`, `lost`, `unsure_errors`, `mean_over`,
+ * `mean_radiance` [W/m2/sr], `mean_radiance_standard_error`, `identity`,
+ * `files` and `run`, and beside them `saved.summary`, the lines of text that
+ * the program prints. *fields are valid until the next save of the picture.
+ * Fails with MURK_BAD_VALUE if there is no such channel, if a number is out of
+ * range, if the path ends in ".png", or if a file may not be replaced, and with
+ * MURK_RUN_FAILED if a file cannot be written. */
+murk_status murk_picture_save(murk_picture *picture, const char *path,
+                              const murk_image_options *png,
+                              const murk_save_options *options,
+                              const murk_fields **fields, murk_error *error);
+
+/* Finds out before any light is traced if murk_picture_render() would refuse
+ * the options of the picture, or if murk_picture_save() would refuse path,
+ * png or options (NULL as described there). Warns if the picture is taken
+ * from inside a solid of transmitting material, or from a place from where no
+ * open way to any light was found. Fails as these functions. */
+murk_status murk_picture_check(murk_world *world,
+                               const murk_picture_options *picture,
+                               const char *path, const murk_image_options *png,
+                               const murk_save_options *options,
                                murk_error *error);
 
 #ifdef __cplusplus

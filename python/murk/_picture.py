@@ -36,7 +36,10 @@ class Picture:
         self.context = light.context
         self.bands = len(light.world.bands_nm)
         out = ffi.new("murk_picture **")
-        call_long(self.context, lib.murk_picture_render, out, handle_of(light), c_text(camera), _METHODS[method])
+        name = c_text(camera)  # lives as long as the call
+        options = ffi.new("murk_picture_options *", {"size": ffi.sizeof("murk_picture_options"), "camera": name,
+                                                     "method": _METHODS[method]})
+        call_long(self.context, lib.murk_picture_render, out, handle_of(light.world), handle_of(light), options)
         self.c = ffi.gc(out[0], lib.murk_picture_destroy)
         self._channels: dict[str, NDArray[Any]] = {}  # those of a pickled picture
 

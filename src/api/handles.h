@@ -95,6 +95,7 @@ struct murk_batch {
 
 struct murk_sensors {
     murk_world *world;
+    char *path; /* the file that the list was read from; NULL: none */
     size_t n;
     murk_pose *pose; /* [n] */
 };

@@ -1,109 +1,96 @@
-/* Pictures: a camera of the scene renders the world of a light, from the photon
- * maps or by path tracing (render/render.h). */
+/* Pictures: a camera of the scene or the view of a sensor, rendered from the
+ * light of a world, as channels and as image files with their results. */
+#include "api/picture_options.h"
 #include "api/save.h"
 
-#include "api/scene_picture.h"
-#include "base/file.h"
-#include "base/machine.h"
-#include "render/exr.h"
-#include "results/ownership.h"
-#include "results/version.h"
+#include "pictures/results.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct murk_picture {
-    murk_light *light;
-    const murk_scene_camera *camera;
-    murk_image *image;
+    murk_world *world;
+    murk_light *light; /* NULL: the method uses none */
+    murk_rendering rendering;
+    murk_fields saved;
 };
 
-/* Sets *out to the camera of that name; name NULL: to the first camera. Fails
- * with MURK_BAD_VALUE if there is none. */
-static murk_status find_camera(const murk_scene_camera **out,
-                               const murk_scene_desc *scene, const char *name,
-                               murk_error *err)
+/* ---- rendering ---- */
+
+/* Builds the world unless it is built, and sets the viewpoint of a rendering
+ * whose camera is chosen. */
+static murk_status stand(murk_rendering *rendering, murk_world *world,
+                         const murk_viewpoint_request *request, murk_error *err)
 {
-    for (size_t i = 0; i < scene->n_cameras; ++i) {
-        if (!name || strcmp(scene->cameras[i].name, name) == 0) {
-            *out = &scene->cameras[i];
-            return MURK_OK;
+    const murk_status status = murk_world_build(world, err);
+    return status ? status
+                  : murk_viewpoint_stand(&rendering->viewpoint, world->stage,
+                                         request, err);
+}
+
+/* Renders the picture and keeps the light, unless the method uses none. */
+static murk_status render(murk_picture *picture, murk_light *light,
+                          const murk_picture_options *options, murk_error *err)
+{
+    murk_world *world = picture->world;
+    murk_rendering *rendering = &picture->rendering;
+    const murk_rendering_method *method = NULL;
+    murk_viewpoint_request request;
+    murk_status status =
+        murk_picture_options_read(&request, &method, world, options, err);
+    if (!status && method->kind != MURK_BY_PATHS) {
+        picture->light = light;
+        if (!light) {
+            return murk_call_bad_argument(
+                err, "light", "is NULL, must be a light for the method %s",
+                method->name);
         }
+        ++light->references;
     }
-    return murk_fail(err, MURK_BAD_VALUE, scene->path,
-                     "cameras: the scene has no camera%s%s", name ? " " : "",
-                     name ? name : "");
-}
-
-static murk_status check(const murk_scene_desc *scene,
-                         const murk_scene_camera *camera,
-                         murk_render_method method, murk_error *err)
-{
-    const size_t width = camera->pixels[0], height = camera->pixels[1];
-    const double bytes = murk_render_bytes(width, height, scene->bands, method),
-                 spare = murk_machine_memory_bytes();
-    if (method != MURK_BY_PATHS &&
-        scene->photons.maps != MURK_SCENE_MAPS_BOTH) {
-        return murk_fail(err, MURK_BAD_VALUE, "photons.maps",
-                         "must be both to render from the maps");
+    if (!status) {
+        status = murk_rendering_choose(rendering, method, world->desc, &request,
+                                       err);
     }
-    return bytes <= spare
-               ? MURK_OK
-               : murk_no_memory(err, camera->where,
-                                "for a picture of %zu x %zu pixels: it takes "
-                                "%.3g GB, and %.3g GB are free",
-                                width, height, bytes * 1e-9, spare * 1e-9);
+    if (!status) {
+        status = stand(rendering, world, &request, err);
+    }
+    /* Memory, then the picture. */
+    const murk_traced *traced =
+        picture->light ? picture->light->session.traced : NULL;
+    if (!status) {
+        status = murk_rendering_check_memory(rendering, world->desc, NULL,
+                                             traced, err);
+    }
+    if (!status) {
+        status = murk_rendering_run(rendering, world->stage, traced,
+                                    world->context->threads, err);
+    }
+    rendering->viewpoint.sensor = NULL; /* of the list of the caller */
+    return status;
 }
 
-static murk_status render(murk_picture *picture, murk_render_method method,
-                          murk_error *err)
-{
-    const murk_session *session = &picture->light->session;
-    const murk_trace trace = murk_stage_trace(session->stage);
-    static const size_t own[2] = {0, 0}; /* the camera's own pixels */
-    murk_render input = murk_render_of_stage(
-        session->stage, &trace,
-        murk_camera_of_scene(picture->camera, session->scene, own),
-        session->traced, session->settings.threads);
-    input.samples = picture->camera->samples;
-    input.method = method;
-    return murk_render_run(&picture->image, &input, err);
-}
-
-murk_status murk_picture_render(murk_picture **out, murk_light *light,
-                                const char *camera, murk_method method,
+murk_status murk_picture_render(murk_picture **out, murk_world *world,
+                                murk_light *light,
+                                const murk_picture_options *options,
                                 murk_error *error)
 {
     if (out) {
         *out = NULL;
     }
-    static const murk_render_method methods[] = {
-        [MURK_METHOD_MAPS] = MURK_BY_MAPS,
-        [MURK_METHOD_PATHS] = MURK_BY_PATHS,
-        [MURK_METHOD_MAPS_ONLY] = MURK_BY_MAPS_ONLY};
-    if (!out || !light ||
-        (unsigned)method >= sizeof methods / sizeof *methods) {
-        return murk_call_refuse(error, "out or light is NULL, or there is no "
-                                       "such method");
+    /* The arguments; then the picture, which keeps world and light. */
+    if (!out || !world) {
+        return murk_call_refuse(error, "out or world is NULL");
     }
-    /* Find the camera, then render. */
-    murk_world *world = light->world;
+    if (light && light->world != world) {
+        return murk_call_refuse(error, "the light is of another world");
+    }
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_picture *picture = calloc(1, sizeof *picture);
     murk_status status = MURK_NO_MEMORY;
     if (picture) {
-        picture->light = light;
-        ++light->references;
-        status =
-            find_camera(&picture->camera, world->desc, camera, &call.failure);
-    }
-    if (!status) {
-        status =
-            check(world->desc, picture->camera, methods[method], &call.failure);
-    }
-    if (!status) {
-        status = render(picture, methods[method], &call.failure);
+        picture->world = world;
+        ++world->references;
+        status = render(picture, light, options, &call.failure);
     }
     status = murk_call_end_long(&call, status);
     if (status) {
@@ -117,8 +104,10 @@ murk_status murk_picture_render(murk_picture **out, murk_light *light,
 void murk_picture_destroy(murk_picture *picture)
 {
     if (picture) {
-        murk_image_destroy(picture->image);
+        murk_fields_release(&picture->saved);
+        murk_rendering_release(&picture->rendering);
         murk_light_release(picture->light);
+        murk_world_release(picture->world);
         free(picture);
     }
 }
@@ -141,9 +130,21 @@ static float *channel_of(const murk_image *p, const char *channel)
         {"surface", p->surface, p->bands},   {"volume", p->volume, p->bands},
         {"depth", p->depth, p->bands},       {"rgb", p->rgb, 3},
         {"rgb_error", p->rgb_error, 3},      {"position_m", p->position, 3}};
+    const struct {
+        const char *name;
+        float *array;
+    } alone[] = {{"distance_m", p->distance_m},
+                 {"coverage.count", p->seen_by},
+                 {"coverage.clarity", p->clarity}};
+    for (size_t i = 0; i < sizeof alone / sizeof *alone; ++i) {
+        if (strcmp(alone[i].name, channel) == 0) {
+            return alone[i].array;
+        }
+    }
+    /* The name before the dot, and the number behind it. */
     const char *dot = strchr(channel, '.');
     if (!dot) {
-        return strcmp(channel, "distance_m") == 0 ? p->distance_m : NULL;
+        return NULL;
     }
     const size_t length = (size_t)(dot - channel),
                  digits = strspn(dot + 1, "0123456789");
@@ -164,9 +165,8 @@ murk_status murk_picture_array(const murk_picture *picture, const char *channel,
     if (!picture || !channel) {
         return murk_call_refuse(error, "picture or channel is NULL");
     }
-    const murk_image *p = picture->image;
-    murk_call call =
-        murk_call_begin(picture->light->world->context, NULL, error);
+    const murk_image *p = picture->rendering.image;
+    murk_call call = murk_call_begin(picture->world->context, NULL, error);
     const float *values = channel_of(p, channel);
     const size_t shape[2] = {p->height, p->width};
     return murk_call_end(
@@ -176,37 +176,169 @@ murk_status murk_picture_array(const murk_picture *picture, const char *channel,
                                   "the picture has no channel %s", channel));
 }
 
+/* ---- files ---- */
+
+/* The session of the light, or of the world if the picture is without light. */
+static murk_session session_of(const murk_picture *picture)
+{
+    return picture->light ? picture->light->session
+                          : murk_world_session(picture->world);
+}
+
+/* The files of a picture that are asked for. */
+typedef struct wanted {
+    const murk_picture *picture;
+    const char *path;
+    const murk_image_options *images;
+    cJSON *summary; /* the lines, once the files are written */
+} wanted;
+
+/* Names the files and writes them. */
+static murk_status write_images(murk_image_files *files, const wanted *of,
+                                const murk_save_options *options,
+                                murk_error *err)
+{
+    const murk_picture *picture = of->picture;
+    const murk_light *light = picture->light;
+    const murk_viewpoint *viewpoint = &picture->rendering.viewpoint;
+    const murk_image_facts facts = {
+        .scene = picture->world->desc,
+        .viewpoint = viewpoint,
+        .command = options->command,
+        .method = picture->rendering.method->text,
+        .photons = light ? light->session.traced->emitted : 0};
+    murk_image_options images;
+    murk_status status = murk_image_options_read(&images, of->images, err);
+    if (!status) {
+        status =
+            murk_images_name(files, of->path, &images, facts.scene,
+                             viewpoint->sensors > 0, options->replaces, err);
+    }
+    return status ? status
+                  : murk_images_write(files, picture->rendering.image, &facts,
+                                      err);
+}
+
+/* A murk_save_work; of: a wanted. */
+static murk_status save(void *of, murk_session *session,
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
+{
+    (void)late;
+    wanted *w = of;
+    const murk_save_options all = murk_save_known(options);
+    murk_image_files files = {.exr = NULL};
+    const murk_picture_results results = {session, &w->picture->rendering,
+                                          &files};
+    murk_status status = murk_save_identify(session, "render", options, err);
+    if (!status) {
+        status = write_images(&files, w, &all, err);
+    }
+    if (!status) {
+        status = murk_session_finish(session, NULL, murk_picture_json(&results),
+                                     NULL, NULL, err);
+    }
+    if (!status) {
+        w->summary = murk_print_collect(murk_picture_print, &results);
+    }
+    murk_images_release(&files);
+    return status;
+}
+
+murk_status murk_picture_save(murk_picture *picture, const char *path,
+                              const murk_image_options *png,
+                              const murk_save_options *options,
+                              const murk_fields **fields, murk_error *error)
+{
+    if (!picture) {
+        return murk_save_refuse(fields, error, "picture is NULL");
+    }
+    wanted of = {picture, path, png, NULL};
+    const murk_session session = session_of(picture);
+    murk_call call =
+        murk_call_begin(picture->world->context, &picture->world->files, error);
+    const murk_status status = murk_save_results(
+        &call, &session, &picture->saved, NULL, options, fields, save, &of);
+    cJSON *saved = cJSON_GetObjectItem(picture->saved.root, "saved");
+    if (!cJSON_AddItemToObject(saved, "summary", of.summary)) {
+        cJSON_Delete(of.summary);
+    }
+    return status;
+}
+
 murk_status murk_picture_write(const murk_picture *picture, const char *path,
                                murk_error *error)
 {
     if (!picture || !path) {
         return murk_call_refuse(error, "picture or path is NULL");
     }
-    const murk_scene_desc *scene = picture->light->session.scene;
-    const murk_image *p = picture->image;
-    const bool is_all_round =
-        picture->camera->projection == MURK_SCENE_EQUIRECTANGULAR;
-    /* MURK_MARK_IMAGE is the mark by which murk recognises its own images. */
-    const murk_image_text header[] = {{MURK_MARK_IMAGE, murk_version_commit()},
-                                      {"murkVersion", MURK_VERSION},
-                                      {"murkScene", scene->path},
-                                      {"murkCamera", picture->camera->name},
-                                      {"emissiveUnits", "W.m^-2.sr^-1"}};
-    const murk_exr exr = {.picture = p,
-                          .band_nm = scene->band_nm,
-                          .is_all_round = is_all_round,
-                          .pixel_aspect = is_all_round ? 2 * (double)p->height /
-                                                             (double)p->width
-                                                       : 1,
-                          .header = header,
-                          .n_header = sizeof header / sizeof *header};
-    murk_world *world = picture->light->world;
-    murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_status status =
-        murk_file_check_owner(path, MURK_MARK_IMAGE, sizeof MURK_MARK_IMAGE - 1,
-                              false, &call.failure);
-    if (!status) {
-        status = murk_exr_write(&exr, path, &call.failure);
-    }
+    const wanted of = {picture, path, NULL, NULL};
+    const murk_save_options options = {.size = sizeof options};
+    murk_image_files files = {.exr = NULL};
+    murk_call call =
+        murk_call_begin(picture->world->context, &picture->world->files, error);
+    const murk_status status =
+        write_images(&files, &of, &options, &call.failure);
+    murk_images_release(&files);
     return murk_call_end(&call, status);
+}
+
+/* ---- checks beforehand ---- */
+
+/* Checks picture and files, and warns of doubts about the place. */
+static murk_status check(murk_world *world, const murk_picture_options *picture,
+                         const char *path,
+                         const murk_image_options *wanted_images, bool replaces,
+                         murk_error *err)
+{
+    murk_rendering rendering = {.image = NULL};
+    murk_viewpoint_request request;
+    const murk_rendering_method *method = NULL;
+    murk_image_options images;
+    murk_image_files files = {.exr = NULL};
+    /* Camera and files, as far as they do not depend on the world. */
+    murk_status status =
+        murk_picture_options_read(&request, &method, world, picture, err);
+    if (!status) {
+        status = murk_image_options_read(&images, wanted_images, err);
+    }
+    if (!status) {
+        status = murk_rendering_choose(&rendering, method, world->desc,
+                                       &request, err);
+    }
+    if (!status) {
+        status = murk_images_name(&files, path, &images, world->desc,
+                                  request.sensors > 0, replaces, err);
+    }
+    murk_images_release(&files);
+    /* The viewpoint in the world, and the memory. */
+    if (!status) {
+        status = stand(&rendering, world, &request, err);
+    }
+    if (!status) {
+        status = murk_rendering_check_memory(&rendering, world->desc, &images,
+                                             NULL, err);
+    }
+    return status ? status
+                  : murk_viewpoint_judge(&rendering.viewpoint, world->stage,
+                                         world->context->threads, err);
+}
+
+murk_status murk_picture_check(murk_world *world,
+                               const murk_picture_options *picture,
+                               const char *path, const murk_image_options *png,
+                               const murk_save_options *options,
+                               murk_error *error)
+{
+    if (!world) {
+        return murk_call_refuse(error, "world is NULL");
+    }
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_session session = murk_world_session(world);
+    murk_status status = murk_save_set(&session, NULL, options, &call.failure);
+    if (!status) {
+        status = check(world, picture, path, png, session.settings.force,
+                       &call.failure);
+    }
+    return murk_call_end_long(&call, status);
 }

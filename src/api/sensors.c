@@ -65,7 +65,9 @@ murk_status murk_sensors_read(murk_sensors **out, murk_world *world,
     murk_sensors *sensors = make(world);
     murk_status status = MURK_NO_MEMORY;
     if (sensors) {
-        status = read_file(sensors, path, &call.failure);
+        sensors->path = strdup(path);
+        status = sensors->path ? read_file(sensors, path, &call.failure)
+                               : MURK_NO_MEMORY;
     }
     status = murk_call_end(&call, status);
     if (status) {
@@ -111,6 +113,7 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
 void murk_sensors_destroy(murk_sensors *sensors)
 {
     if (sensors) {
+        free(sensors->path);
         free(sensors->pose);
         murk_world_release(sensors->world);
         free(sensors);

@@ -10,10 +10,11 @@
 #define WORDS(list)      .kind = MURK_OPTION_WORD, .words = list
 #define OWN(reader)      .kind = MURK_OPTION_OWN, .read = reader
 
-/* In the order of METHODS in command_render.c. */
+/* In the order of murk_method of murk.h. */
 static const char *const METHODS[] = {"maps", "path", "maps-only", NULL};
 
 static const char *const FORMATS[] = {"text", "json", NULL};
+/* In the order of murk_colour_scale of murk.h behind MURK_SCALE_AUTO. */
 static const char *const SCALES[] = {"linear", "log", NULL};
 /* The word of zsh is number 1, as main.c expects. */
 static const char *const SHELLS[] = {"bash", "zsh", NULL};
@@ -114,17 +115,18 @@ const murk_option murk_option_table[] = {
      .part = MURK_OPTION_AS_FILE},
     {"--camera", NULL, "NAME", "render",
      "which of the scene's cameras; default: the first",
-     .kind = MURK_OPTION_TEXT, MEMBER(camera), .part = MURK_OPTION_AS_TEXT},
+     .kind = MURK_OPTION_TEXT, MEMBER(camera), .setting = "camera",
+     .part = MURK_OPTION_AS_TEXT},
     {"--method", NULL, "maps|path|maps-only", "render",
      "maps (default): direct light by shadow rays, all other from the photon "
      "maps; maps-only: direct light, too; path: path tracing, which needs no "
      "photons",
-     WORDS(METHODS), .part = MURK_OPTION_AS_TEXT},
+     WORDS(METHODS), .setting = "method", .part = MURK_OPTION_AS_TEXT},
     {"--from-sensor", NULL, "N", "render",
      "stand where sensor N of --sensors does, from 1: a hfov x vfov view as it "
      "is, all others all round with the way they look in the middle; pixels "
      "and samples are the camera's that is named, else 640 across and 16",
-     COUNT(1, 1000000), MEMBER(render.from_sensor),
+     COUNT(1, 1000000), MEMBER(render.from_sensor), .setting = "from_sensor",
      .part = MURK_OPTION_AS_TEXT},
     {"--pixels", NULL, "WIDTHxHEIGHT", "render check",
      "size of the picture; replaces the camera's; check: of --picture, default "
@@ -146,7 +148,7 @@ const murk_option murk_option_table[] = {
      "IMAGE-CHANNEL.png: radiance, error, surface, volume, depth (of several "
      "bands: depth.550nm), Z, P.X, R, coverage.count and so on",
      .kind = MURK_OPTION_TEXT, MEMBER(render.false_colour),
-     .part = MURK_OPTION_AS_TEXT},
+     .setting = "false_colour", .part = MURK_OPTION_AS_TEXT},
     {"--range", NULL, "LOW:HIGH", "render",
      "values that the false colours go from and to; default: by the picture",
      OWN(murk_option_range), .part = MURK_OPTION_AS_TEXT},

@@ -33,16 +33,21 @@ static const char *text_of(const murk_fields *fields, const char *list,
     return text ? text : "";
 }
 
+void murk_show_lines(const murk_fields *saved, const char *list)
+{
+    const size_t n = murk_fields_length(saved, list);
+    for (size_t i = 0; i < n; ++i) {
+        murk_print("%s", text_of(saved, list, i));
+        murk_print("\n");
+    }
+}
+
 void murk_show_results(const murk_options *options, const murk_fields *saved)
 {
     if (options->json) {
         murk_print_json(murk_fields_json(saved));
     } else if (!options->quiet) {
-        const size_t n = murk_fields_length(saved, "run.summary");
-        for (size_t i = 0; i < n; ++i) {
-            murk_print("%s", text_of(saved, "run.summary", i));
-            murk_print("\n");
-        }
+        murk_show_lines(saved, "run.summary");
     }
 }
 

@@ -11,6 +11,9 @@ bool murk_shows_summary(const murk_options *options);
  * summary with the lines of times and files; NULL: nothing. */
 void murk_show(const murk_options *options, const murk_fields *saved);
 
+/* Prints the lines of a list of texts. */
+void murk_show_lines(const murk_fields *saved, const char *list);
+
 /* The parts of murk_show(): JSON or summary; the lines of times and files below
  * a summary; and of these the line of times. */
 void murk_show_results(const murk_options *options, const murk_fields *saved);

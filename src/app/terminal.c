@@ -13,7 +13,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#define PLACE_SIZE 640 /* of a place with the name of an option */
+#define PLACE_SIZE 640  /* of a place with the name of an option */
+#define TEXT_SIZE  1024 /* of a text with names of options */
 
 /* What helps with a file that murk did not write. */
 #define FORCE ", or --force replaces it"
@@ -85,11 +86,40 @@ static const char *place_of(const murk_options *options, const char *where,
     return out;
 }
 
+/* Copies a text and replaces `NAME`, the name of a setting between backquotes,
+ * by the name of the option that gives the setting. A text that names no
+ * setting is copied as it is. */
+static const char *text_of(const char *text, char out[TEXT_SIZE])
+{
+    size_t n = 0;
+    while (*text && n < TEXT_SIZE - 1) {
+        const size_t length = *text == '`' ? strcspn(text + 1, "`") : 0;
+        const char *option = NULL;
+        for (size_t i = 0; i < murk_option_table_size && length > 0; ++i) {
+            const char *setting = murk_option_table[i].setting;
+            if (text[1 + length] && setting && strlen(setting) == length &&
+                strncmp(setting, text + 1, length) == 0) {
+                option = murk_option_table[i].name;
+            }
+        }
+        if (!option) {
+            out[n++] = *text++;
+            continue;
+        }
+        n += (size_t)snprintf(out + n, TEXT_SIZE - n, "%s", option);
+        n = n < TEXT_SIZE ? n : TEXT_SIZE - 1;
+        text += length + 2;
+    }
+    out[n] = '\0';
+    return out;
+}
+
 void murk_terminal_fail(const murk_options *options, const murk_error *err)
 {
-    char place[PLACE_SIZE], text[sizeof err->text + sizeof FORCE];
+    char place[PLACE_SIZE], shown[TEXT_SIZE], text[TEXT_SIZE];
     const bool helps = strcmp(err->text, MURK_NOT_OURS) == 0;
-    snprintf(text, sizeof text, "%s%s", err->text, helps ? FORCE : "");
+    snprintf(text, sizeof text, "%s%s", text_of(err->text, shown),
+             helps ? FORCE : "");
     murk_message("", place_of(options, err->where, place), text);
 }
 
@@ -109,8 +139,9 @@ static void tell(void *user, bool is_warning, const char *where,
 {
     const murk_options *options = user;
     const char *kind = is_warning ? "warning: " : "note: ";
-    char shown[PLACE_SIZE];
+    char shown[PLACE_SIZE], said[TEXT_SIZE];
     const char *place = place_of(options, where, shown);
+    text = text_of(text, said);
     if (is_shown(options, where) && murk_message_is_new(kind, place, text)) {
         murk_message(kind, place, text);
     }

@@ -124,6 +124,28 @@ static void check_settings(const given *g)
     check_place("photons.none", "", &error);
 }
 
+/* Settings of a picture, and of its files. */
+static void check_picture(murk_world *world)
+{
+    const murk_picture_options none = {.size = sizeof none, .camera = "none"},
+                               view = {.size = sizeof view,
+                                       .method = MURK_METHOD_PATHS,
+                                       .from_sensor = 1};
+    const murk_image_options heat = {.size = sizeof heat,
+                                     .false_colour = "heat"};
+    const murk_picture_options paths = {.size = sizeof paths,
+                                        .method = MURK_METHOD_PATHS};
+    murk_error error = MURK_ERROR_NONE;
+    (void)murk_picture_check(world, &none, NULL, NULL, NULL, &error);
+    check_place("camera", "", &error);
+    error = (murk_error)MURK_ERROR_NONE;
+    (void)murk_picture_check(world, &view, NULL, NULL, NULL, &error);
+    check_place("from_sensor", "", &error);
+    error = (murk_error)MURK_ERROR_NONE;
+    (void)murk_picture_check(world, &paths, NULL, &heat, NULL, &error);
+    check_place("false_colour", "", &error);
+}
+
 /* A key of a scene whose picture is asked for from the map that is left out. */
 static void check_key(const given *g)
 {
@@ -141,9 +163,9 @@ static void check_key(const given *g)
         murk_light_trace(&light, world, &error)) {
         check(false, error.where, error.text);
     } else {
-        (void)murk_picture_render(&picture, light, NULL, MURK_METHOD_MAPS,
-                                  &error);
+        (void)murk_picture_render(&picture, world, light, NULL, &error);
         check_place("photons.maps", "photons.maps", &error);
+        check_picture(world);
     }
     murk_light_destroy(light);
     murk_world_destroy(world);

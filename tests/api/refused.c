@@ -61,10 +61,8 @@ static int cancel(void *user, murk_batch *batch)
     X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),     \
       (&out, g->scene, "no-such-data.csv", keys, 1, NULL, &error),             \
       "cannot read")                                                           \
-    X(picture, murk_picture_render,                                            \
-      (&out, NULL, NULL, MURK_METHOD_MAPS, &error),                            \
-      (&out, g->light, "no-such-camera", MURK_METHOD_MAPS, &error),            \
-      "no camera no-such-camera")
+    X(picture, murk_picture_render, (&out, NULL, NULL, NULL, &error),          \
+      (&out, g->world, g->light, NULL, &error), "cameras: the scene has none")
 
 /* Without memory alone the work of these fails. */
 #define WITHOUT_WORK(X)                                   \

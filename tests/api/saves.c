@@ -1,6 +1,7 @@
 /* A user's program in C that writes all that murk trace, place --repeat, sense,
  * study and fit write, into folders of the same names. run.sh compares the
- * files with those of the program, byte for byte.
+ * files with those of the program, byte for byte. A picture is written and
+ * removed again.
  *
  *     saves SCENE STUDY FIT-SCENE READINGS FOLDER */
 #include "checks.h"
@@ -143,6 +144,74 @@ static void sense(murk_context *context, const char *scene, const char *out)
     murk_world_destroy(world);
 }
 
+/* A picture by paths: refused values, then files and fields. */
+static void take_picture(murk_context *context, const char *path,
+                         const char *out)
+{
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_picture *picture = NULL;
+    const murk_fields *fields = NULL;
+    const murk_picture_options view = {.size = sizeof view,
+                                       .method = MURK_METHOD_PATHS,
+                                       .width = 20,
+                                       .height = 10,
+                                       .samples = 2};
+    const murk_image_options images = {
+        .size = sizeof images, .png = true, .false_colour = "Z"};
+    must(murk_scene_read(&scene, context, path, &error));
+    must(murk_scene_set(scene, "cameras",
+                        "[{name: a, from_m: [1, 1, 1], to_m: [2, 2, 1]}]",
+                        &error));
+    must(murk_world_create(&world, scene, &error));
+    /* Values that are refused. */
+    murk_picture_options wrong[] = {view, view, view, view};
+    wrong[0].width = 0;
+    wrong[1].samples = 65537;
+    wrong[2].method = (murk_method)9;
+    wrong[3].method = MURK_METHOD_MAPS;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
+        murk_error why = MURK_ERROR_NONE;
+        CHECK(murk_picture_render(&picture, world, NULL, &wrong[i], &why) ==
+                  MURK_BAD_VALUE &&
+              !picture && strstr(why.where, "argument "));
+    }
+    murk_image_options false_range = images;
+    false_range.has_range = true;
+    CHECK(murk_picture_check(world, &view, NULL, &false_range, NULL, NULL) ==
+          MURK_BAD_VALUE);
+    CHECK(murk_picture_check(world, &view, "a.png", NULL, NULL, NULL) ==
+          MURK_BAD_VALUE);
+    CHECK(murk_picture_check(NULL, &view, NULL, NULL, NULL, NULL) ==
+          MURK_BAD_VALUE);
+    CHECK(murk_picture_save(NULL, NULL, NULL, NULL, &fields, NULL) ==
+              MURK_BAD_VALUE &&
+          !fields);
+    /* Without files, then with them. */
+    char *image = strdup(folder_of(out, "a.exr"));
+    CHECK(image);
+    must(murk_picture_check(world, &view, image, &images, NULL, &error));
+    must(murk_picture_render(&picture, world, NULL, &view, &error));
+    must(murk_picture_save(picture, NULL, NULL, NULL, &fields, &error));
+    CHECK(murk_fields_kind(fields, "image") == MURK_FIELD_ABSENT);
+    must(murk_picture_save(picture, image, &images, NULL, &fields, &error));
+    CHECK(murk_fields_length(fields, "pixels") == 2);
+    CHECK(murk_fields_length(fields, "mean_radiance") > 0);
+    CHECK(murk_fields_length(fields, "saved.summary") > 3);
+    const char *coloured = NULL;
+    must(murk_fields_string(fields, "false_colour.image", &coloured, &error));
+    FILE *file = fopen(coloured, "rb");
+    CHECK(file);
+    fclose(file);
+    remove(coloured);
+    remove(folder_of(out, "a.png"));
+    remove(image);
+    free(image);
+    murk_picture_destroy(picture);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+}
+
 static void run_study(murk_context *context, const char *path, const char *out)
 {
     static const char *const key[] = {"photons.emit"}, *const value[] = {"200"};
@@ -217,6 +286,7 @@ int main(int argc, char **argv)
     must(murk_context_create(&context, NULL, &error));
     trace_and_place(context, argv[1], argv[5]);
     sense(context, argv[1], argv[5]);
+    take_picture(context, argv[1], argv[5]);
     run_study(context, argv[2], argv[5]);
     run_fit(context, argv[3], argv[4], argv[5]);
     murk_context_destroy(context);

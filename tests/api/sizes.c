@@ -96,6 +96,18 @@ static murk_status take_sensor(const given *g, void *of, murk_error *error)
     return status;
 }
 
+static murk_status take_picture_options(const given *g, void *of,
+                                        murk_error *error)
+{
+    return murk_picture_check(g->world, of, NULL, NULL, NULL, error);
+}
+
+static murk_status take_image_options(const given *g, void *of,
+                                      murk_error *error)
+{
+    return murk_picture_check(g->world, NULL, NULL, of, NULL, error);
+}
+
 static murk_status take_array(const given *g, void *of, murk_error *error)
 {
     static const char *const heads[] = {"x_m", "y_m"};
@@ -132,6 +144,8 @@ static const murk_save_options of_save = {.size = sizeof of_save};
 static const murk_check_options of_check = {.size = sizeof of_check};
 static const murk_study_options of_study = {.size = sizeof of_study};
 static const murk_fit_options of_fit = {.size = sizeof of_fit};
+static const murk_picture_options of_picture = {.size = sizeof of_picture};
+static const murk_image_options of_images = {.size = sizeof of_images};
 static const murk_sensor of_sensor = {.size = sizeof of_sensor, .type = "node"};
 static const murk_array of_array = {.size = sizeof of_array,
                                     .data = places,
@@ -158,6 +172,10 @@ static const struct {
              sizeof of_study, sizeof(size_t), false},
             {"murk_fit_options", take_fit_options, &of_fit, sizeof of_fit,
              sizeof(size_t), false},
+            {"murk_picture_options", take_picture_options, &of_picture,
+             sizeof of_picture, sizeof(size_t), false},
+            {"murk_image_options", take_image_options, &of_images,
+             sizeof of_images, sizeof(size_t), false},
             {"murk_sensor", take_sensor, &of_sensor, sizeof of_sensor,
              2 * sizeof(size_t), false},
             {"murk_array", take_array, &of_array, sizeof of_array,
@@ -308,6 +326,7 @@ int main(void)
         "regions: [{medium: fog}]\n"
         "lights: [{type: point, position_m: [2, 2, 2], power_w: 1}]\n"
         "sensors: {types: [{name: node, range_m: 3}], count: 1}\n"
+        "cameras: [{name: a, from_m: [1, 1, 1], to_m: [2, 2, 1]}]\n"
         "photons: {emit: 1000}\n";
     /* The handles, then all rows. */
     given g = {0};

@@ -7,15 +7,17 @@ int main(void)
     murk_context *context = NULL;
     murk_scene *scene = NULL;
     murk_world *world = NULL;
-    murk_light *light = NULL;
     murk_picture *picture = NULL;
     must(murk_context_create(&context, NULL, &error), &error);
     must(murk_scene_parse(&scene, context, room, "room.yaml", &error), &error);
     must(murk_world_create(&world, scene, &error), &error);
-    must(murk_light_trace(&light, world, &error), &error);
-    must(
-        murk_picture_render(&picture, light, "door", MURK_METHOD_PATHS, &error),
-        &error);
+    const murk_picture_options options = {
+        .size = sizeof options, .camera = "door", .method = MURK_METHOD_PATHS};
+    const murk_image_options images = {.size = sizeof images, .png = true};
+    must(murk_picture_check(world, &options, "door.exr", &images, NULL, &error),
+         &error);
+    /* Paths need no light; the method of maps takes that of the world. */
+    must(murk_picture_render(&picture, world, NULL, &options, &error), &error);
     murk_array radiance = {.size = sizeof radiance};
     must(murk_picture_array(picture, "radiance.0", &radiance, &error), &error);
     const float *pixel = radiance.data;
@@ -26,8 +28,14 @@ int main(void)
     printf("%zu rows of %zu pixels, most of them bright: %s\n",
            radiance.shape[0], radiance.shape[1], bright > 384 ? "yes" : "no");
     must(murk_picture_write(picture, "door.exr", &error), &error);
+    /* The same file, and door.png beside it. */
+    const murk_fields *fields = NULL;
+    double samples = 0;
+    must(murk_picture_save(picture, "door.exr", &images, NULL, &fields, &error),
+         &error);
+    must(murk_fields_double(fields, "samples", &samples, &error), &error);
+    printf("%.0f samples of each pixel\n", samples);
     murk_picture_destroy(picture);
-    murk_light_destroy(light);
     murk_world_destroy(world);
     murk_scene_destroy(scene);
     murk_context_destroy(context);
@@ -37,4 +45,5 @@ int main(void)
 /* Prints:
  *
  * 24 rows of 32 pixels, most of them bright: yes
+ * 4 samples of each pixel
  */

@@ -5,10 +5,10 @@
  * surface map (sensing/sight.h), in the band placement.targets.band_nm; for
  * sensors whose type does not detect that band, in the first band that the type
  * detects. */
-#ifndef MURK_APP_PICTURE_COVERAGE_H
-#define MURK_APP_PICTURE_COVERAGE_H
+#ifndef MURK_PICTURES_COVERAGE_H
+#define MURK_PICTURES_COVERAGE_H
 
-#include "app/viewpoint.h"
+#include "pictures/viewpoint.h"
 #include "render/render.h"
 
 /* The memory of the coverage, in addition to that of the picture [bytes]. */

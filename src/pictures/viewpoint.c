@@ -1,12 +1,11 @@
 /* The camera of a picture: a camera of the scene or the view of a sensor, its
  * place and direction, and doubts about the place. */
-#include "app/viewpoint.h"
+#include "pictures/viewpoint.h"
 
-#include "api/scene_picture.h"
 #include "base/log.h"
 #include "base/position.h"
+#include "pictures/scene_picture.h"
 #include "plan/free_space.h"
-#include "plan/placement_in.h"
 #include "render/render.h"
 #include "scene/words.h"
 
@@ -17,13 +16,10 @@
 /* Degrees in a radian. */
 #define DEG_PER_RAD (180 / MURK_PI)
 
-/* Width [pixels] and samples of a picture of a sensor, if neither options nor a
- * camera give them. */
+/* Width [pixels] and samples of a picture of a sensor, if neither the request
+ * nor a camera gives them. */
 #define WIDTH   640
 #define SAMPLES 16
-
-/* Pixels along a side: the range of the key of a scene. */
-#define SIDE_MAX 65536
 
 /* ---- the camera that is named ---- */
 
@@ -38,42 +34,28 @@ static murk_status no_such_camera(const murk_scene_desc *scene,
     }
     const char *meant =
         known ? murk_words_meant(wanted, known, scene->n_cameras) : NULL;
-    const murk_status status =
-        murk_fail(err, MURK_BAD_VALUE, "--camera",
-                  "%s is no camera of the scene, %s %s%s", shown,
-                  meant ? "did you mean" : "the first of them is",
-                  meant ? meant : scene->cameras[0].name, meant ? "?" : "");
+    const murk_status status = murk_fail(
+        err, MURK_BAD_VALUE, "camera", "%s is no camera of the scene, %s %s%s",
+        shown, meant ? "did you mean" : "the first of them is",
+        meant ? meant : scene->cameras[0].name, meant ? "?" : "");
     free(known);
     return status;
 }
 
 murk_status murk_viewpoint_choose(murk_viewpoint *out,
                                   const murk_scene_desc *scene,
-                                  const murk_options *options, murk_error *err)
+                                  const murk_viewpoint_request *request,
+                                  murk_error *err)
 {
-    const char *wanted = options->camera;
-    const uint64_t number = options->render.from_sensor;
-    if (number > 0) {
-        snprintf(out->mark, sizeof out->mark, "sensor%llu",
-                 (unsigned long long)number);
-    } else if (wanted) {
-        snprintf(out->mark, sizeof out->mark, "%s", wanted);
-    }
-    /* The scene must have types of sensors for --sensors, and a camera unless
-     * the picture is of a sensor. */
-    if (options->sensors && !scene->sensors.given) {
-        return murk_fail(err, MURK_BAD_VALUE, scene->path,
-                         "sensors: the scene has none, so --sensors has no "
-                         "types");
-    }
-    if (number > 0 && !wanted) {
+    const char *wanted = request->camera;
+    if (request->from_sensor > 0 && !wanted) {
         return MURK_OK;
     }
     if (scene->n_cameras == 0) {
         return murk_fail(err, MURK_BAD_VALUE, scene->path,
                          "cameras: the scene has none, must have one to be "
-                         "rendered: {name, from_m, to_m}; or --sensors FILE "
-                         "--from-sensor N");
+                         "rendered: {name, from_m, to_m}; or sensors and "
+                         "from_sensor");
     }
     /* The camera of that name, or the first one. */
     for (size_t i = 0; i < scene->n_cameras && !out->named; ++i) {
@@ -85,7 +67,7 @@ murk_status murk_viewpoint_choose(murk_viewpoint *out,
     return out->named ? MURK_OK : no_such_camera(scene, wanted, err);
 }
 
-/* ---- where it stands ---- */
+/* ---- the place ---- */
 
 static void stand_at_camera(murk_viewpoint *v, const murk_scene_desc *scene,
                             const size_t asked[2])
@@ -101,8 +83,8 @@ static void stand_at_camera(murk_viewpoint *v, const murk_scene_desc *scene,
 static size_t rows_for(size_t width, double wider)
 {
     const double rows = round((double)width / wider);
-    return (size_t)fmax(
-        1, fmin(rows, fmin(SIDE_MAX, (double)(MURK_PIXELS_MAX / width))));
+    return (size_t)fmax(1, fmin(rows, fmin(MURK_PICTURE_SIDE_MAX,
+                                           (double)(MURK_PIXELS_MAX / width))));
 }
 
 static void stand_at_sensor(murk_viewpoint *v, const murk_scene_desc *scene,
@@ -121,7 +103,7 @@ static void stand_at_sensor(murk_viewpoint *v, const murk_scene_desc *scene,
     }
     snprintf(v->name, sizeof v->name, "sensor %llu (%s)",
              (unsigned long long)number, type->name);
-    v->where = "--from-sensor";
+    v->where = "from_sensor";
     if (type->view == MURK_VIEW_FRUSTUM) {
         v->camera =
             murk_camera_view(pose->position, frame.axis, frame.right,
@@ -145,36 +127,45 @@ static void tell_direction(murk_viewpoint *v, murk_vec3 north)
     v->tilt_deg = DEG_PER_RAD * asin(fmax(-1, fmin(1, ahead.z)));
 }
 
+/* Fails if the list has no sensor of the number from_sensor. */
+static murk_status check_number(const murk_viewpoint_request *request,
+                                murk_error *err)
+{
+    const unsigned long long number = request->from_sensor;
+    const char *file = request->sensors_file;
+    if (number <= request->sensors) {
+        return MURK_OK;
+    }
+    if (request->sensors == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "from_sensor",
+                         "%llu, must be 0 without sensors", number);
+    }
+    return murk_fail(err, MURK_BAD_VALUE, "from_sensor",
+                     "%llu, must be 1..%zu: %s has no more sensors", number,
+                     request->sensors, file ? file : "the list");
+}
+
 murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
-                                 const murk_options *options, murk_error *err)
+                                 const murk_viewpoint_request *request,
+                                 murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    const murk_render_options *settings = &options->render;
     const murk_box *box = &stage->world.domain.box;
-    murk_status status = MURK_OK;
-    if (options->sensors) {
-        status = murk_placement_read(&v->sensor, &v->sensors, options->sensors,
-                                     1, scene, &stage->world.domain, err);
-    }
+    const murk_status status = check_number(request, err);
     if (status) {
         return status;
     }
-    /* The sensor must be one of the file. */
-    if (settings->from_sensor > v->sensors) {
-        return murk_fail(err, MURK_BAD_VALUE, "--from-sensor",
-                         "%llu, must be 1..%zu: %s has no more sensors",
-                         (unsigned long long)settings->from_sensor, v->sensors,
-                         options->sensors);
-    }
+    v->sensor = request->sensor;
+    v->sensors = request->sensors;
     /* Samples and camera. */
-    v->samples = settings->samples ? (size_t)settings->samples
-                 : v->named        ? v->named->samples
-                                   : SAMPLES;
-    if (settings->from_sensor > 0) {
-        stand_at_sensor(v, scene, &v->sensor[settings->from_sensor - 1],
-                        settings->from_sensor, settings->pixels);
+    v->samples = request->samples ? (size_t)request->samples
+                 : v->named       ? v->named->samples
+                                  : SAMPLES;
+    if (request->from_sensor > 0) {
+        stand_at_sensor(v, scene, &v->sensor[request->from_sensor - 1],
+                        request->from_sensor, request->pixels);
     } else {
-        stand_at_camera(v, scene, settings->pixels);
+        stand_at_camera(v, scene, request->pixels);
     }
     /* The direction for the user, and the check of the place. */
     tell_direction(v, scene->north);
@@ -191,7 +182,7 @@ murk_status murk_viewpoint_stand(murk_viewpoint *v, const murk_stage *stage,
     return MURK_OK;
 }
 
-/* ---- what may be wrong there ---- */
+/* ---- doubts about the place ---- */
 
 murk_status murk_viewpoint_judge(const murk_viewpoint *v,
                                  const murk_stage *stage, unsigned threads,
@@ -221,10 +212,4 @@ murk_status murk_viewpoint_judge(const murk_viewpoint *v,
     }
     murk_open_space_destroy(space);
     return status;
-}
-
-void murk_viewpoint_release(murk_viewpoint *viewpoint)
-{
-    free(viewpoint->sensor);
-    *viewpoint = (murk_viewpoint){0};
 }

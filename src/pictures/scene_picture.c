@@ -1,6 +1,6 @@
 /* Turns a camera of a scene into a camera of src/render, and a world with
  * traced light into the input of a rendering. */
-#include "api/scene_picture.h"
+#include "pictures/scene_picture.h"
 
 murk_camera murk_camera_of_scene(const murk_scene_camera *c,
                                  const murk_scene_desc *scene,

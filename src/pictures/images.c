@@ -1,6 +1,6 @@
 /* The files of a picture: their names, the texts about the picture in their
  * headers, and the OpenEXR and PNG files themselves. */
-#include "app/images.h"
+#include "pictures/images.h"
 
 #include "base/file.h"
 #include "render/exr.h"
@@ -22,13 +22,13 @@
 
 /* ---- names ---- */
 
-/* How long a path is without the extension of its last part. */
-static size_t stem_length(const char *path, const char *extension)
+/* The length of a path without ".exr" at the end. */
+static size_t stem_length(const char *path)
 {
     const char *slash = strrchr(path, '/');
     const char *dot = strrchr(slash ? slash : path, '.');
-    const bool ends = dot && (!extension || strcmp(dot, extension) == 0);
-    return ends ? (size_t)(dot - path) : strlen(path);
+    return dot && strcmp(dot, ".exr") == 0 ? (size_t)(dot - path)
+                                           : strlen(path);
 }
 
 /* Returns the first `stem` bytes of the path, "-" and `added` unless that is
@@ -60,20 +60,18 @@ static murk_status no_channel(const murk_channel *list, size_t n,
                                    "%s%s", i ? ", " : "", list[i].name);
     }
     const bool lacks = !has_coverage && strncmp(wanted, "coverage", 8) == 0;
-    return murk_fail(err, MURK_BAD_VALUE, "--false-colour", "%.48s%s%s%s",
-                     wanted,
-                     lacks ? ", which pictures have with --sensors FILE alone"
+    return murk_fail(err, MURK_BAD_VALUE, "false_colour", "%.48s%s%s%s", wanted,
+                     lacks ? ", which pictures have with sensors alone"
                            : " is no channel of the picture, or one in several "
                              "bands; there are ",
                      lacks ? "" : known, lacks ? "" : " and others");
 }
 
 static murk_status find_channel(murk_image_files *out,
-                                const murk_options *options,
-                                const murk_scene_desc *scene, murk_error *err)
+                                const murk_scene_desc *scene, bool has_coverage,
+                                murk_error *err)
 {
-    const char *wanted = options->render.false_colour;
-    const bool has_coverage = options->sensors != NULL;
+    const char *wanted = out->options.false_colour;
     murk_channel *list = calloc(MURK_CHANNELS_MAX, sizeof *list);
     if (!list) {
         return murk_no_memory(err, "render", "for names");
@@ -108,7 +106,7 @@ static murk_status check_bands(const murk_scene_desc *scene, murk_error *err)
 
 /* Checks that each file may be written, so that no picture is rendered and then
  * lost. */
-static murk_status check_writable(const murk_image_files *images, bool force,
+static murk_status check_writable(const murk_image_files *images, bool replaces,
                                   murk_error *err)
 {
     const char *const path[] = {images->exr, images->png, images->false_colour};
@@ -118,8 +116,9 @@ static murk_status check_writable(const murk_image_files *images, bool force,
         if (!path[i]) {
             continue;
         }
-        status = murk_file_check_owner(path[i], MURK_MARK_IMAGE,
-                                       sizeof MURK_MARK_IMAGE - 1, force, err);
+        status =
+            murk_file_check_owner(path[i], MURK_MARK_IMAGE,
+                                  sizeof MURK_MARK_IMAGE - 1, replaces, err);
         if (!status) {
             status = murk_file_create(&file, path[i], err);
         }
@@ -128,48 +127,55 @@ static murk_status check_writable(const murk_image_files *images, bool force,
     return status;
 }
 
-murk_status murk_images_name(murk_image_files *out, const murk_options *options,
-                             const murk_scene_desc *scene, const char *mark,
-                             murk_error *err)
+/* Sets the paths of the files. */
+static murk_status name_files(murk_image_files *out, const char *path,
+                              murk_error *err)
 {
-    const murk_render_options *settings = &options->render;
-    const char *given = options->out;
+    const murk_image_options *options = &out->options;
+    const size_t length = strlen(path), stem = stem_length(path);
+    if (length > 4 && strcmp(path + length - 4, ".png") == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, path,
+                         "the image is OpenEXR, must not end in .png; `png` "
+                         "writes one beside it");
+    }
+    out->exr = strdup(path);
+    if (options->png) {
+        out->png = path_of(path, stem, "", ".png");
+    }
+    if (options->false_colour) {
+        out->false_colour = path_of(path, stem, out->channel, ".png");
+    }
+    return out->exr && (out->png || !options->png) &&
+                   (out->false_colour || !options->false_colour)
+               ? MURK_OK
+               : murk_no_memory(err, "render", "for a name");
+}
+
+murk_status murk_images_name(murk_image_files *out, const char *path,
+                             const murk_image_options *options,
+                             const murk_scene_desc *scene, bool has_coverage,
+                             bool replaces, murk_error *err)
+{
+    *out = (murk_image_files){.options = *options};
     /* The bands must give different names, and the channel in false colour must
      * exist. */
     murk_status status = check_bands(scene, err);
-    if (!status && settings->false_colour) {
-        status = find_channel(out, options, scene, err);
+    if (!status && options->false_colour) {
+        status = find_channel(out, scene, has_coverage, err);
     }
-    if (status) {
-        return status;
+    if (!status && path) {
+        status = name_files(out, path, err);
     }
-    /* The name of the OpenEXR file; the names of the PNG files follow from it.
-     */
-    if (given) {
-        const size_t length = strlen(given);
-        if (length > 4 && strcmp(given + length - 4, ".png") == 0) {
-            return murk_fail(err, MURK_BAD_VALUE, "-o",
-                             "%s: the image is OpenEXR, must not end in .png; "
-                             "--png writes one beside it",
-                             given);
-        }
-        out->exr = strdup(given);
-    } else {
-        out->exr = path_of(options->input, stem_length(options->input, NULL),
-                           mark, ".exr");
-    }
-    const size_t stem = out->exr ? stem_length(out->exr, ".exr") : 0;
-    if (out->exr && settings->png) {
-        out->png = path_of(out->exr, stem, "", ".png");
-    }
-    if (out->exr && settings->false_colour) {
-        out->false_colour = path_of(out->exr, stem, out->channel, ".png");
-    }
-    if (!out->exr || (settings->png && !out->png) ||
-        (settings->false_colour && !out->false_colour)) {
-        return murk_no_memory(err, "render", "for a name");
-    }
-    return check_writable(out, options->force, err);
+    return status ? status : check_writable(out, replaces, err);
+}
+
+double murk_images_bytes(const murk_image_options *options, size_t width,
+                         size_t height)
+{
+    /* one PNG after the other */
+    return options->false_colour ? murk_false_colour_bytes(width, height)
+           : options->png        ? 3 * (double)width * (double)height
+                                 : 0;
 }
 
 void murk_images_release(murk_image_files *images)
@@ -180,7 +186,7 @@ void murk_images_release(murk_image_files *images)
     *images = (murk_image_files){0};
 }
 
-/* ---- what they say of themselves ---- */
+/* ---- the texts in the headers ---- */
 
 typedef struct texts {
     murk_image_text of[TEXTS_MAX];
@@ -209,7 +215,9 @@ static void say_all(texts *t, const murk_image_facts *facts)
     const murk_camera *c = &v->camera;
     say(t, "software", "murk " MURK_VERSION);
     say(t, "murkCommit", murk_version_commit());
-    say(t, "murkCommand", facts->options->typed);
+    if (facts->command) {
+        say(t, "murkCommand", facts->command);
+    }
     say(t, "murkScene", facts->scene->path);
     say(t, "murkSceneSha256", facts->scene->sha256);
     say_made(t, "murkSeed", "%lu", (unsigned long)facts->scene->seed);
@@ -270,9 +278,9 @@ static murk_status write_png(murk_image_files *images,
                              const murk_image *picture,
                              const murk_image_facts *facts, murk_error *err)
 {
-    const murk_render_options *settings = &facts->options->render;
-    images->stops = settings->exposure_stops;
-    murk_status status = settings->has_exposure
+    const murk_image_options *options = &images->options;
+    images->stops = options->exposure_stops;
+    murk_status status = options->has_exposure
                              ? MURK_OK
                              : murk_tone_stops(&images->stops, picture, err);
     murk_raster raster = {0};
@@ -283,7 +291,7 @@ static murk_status write_png(murk_image_files *images,
         texts t = {.n = 0};
         say_all(&t, facts);
         say_made(&t, "murkExposure", "%.2f stops%s", images->stops,
-                 settings->has_exposure ? "" : ", by the picture");
+                 options->has_exposure ? "" : ", by the picture");
         status = murk_png_write(&raster, t.of, t.n, images->png, err);
     }
     free(raster.rgb);
@@ -292,18 +300,18 @@ static murk_status write_png(murk_image_files *images,
 
 static murk_status choose_colours(murk_image_files *images,
                                   const murk_channel *channel, size_t n,
-                                  const murk_options *options, murk_error *err)
+                                  murk_error *err)
 {
-    const murk_render_options *settings = &options->render;
+    const murk_image_options *options = &images->options;
     /* A range that begins at 0 or below asks for no logarithm. */
     const bool is_log =
-        murk_option_is_given(options, "--scale")
-            ? murk_option_number(options, "--scale", 0) == 1
+        options->scale != MURK_SCALE_AUTO
+            ? options->scale == MURK_SCALE_LOG
             : murk_false_colour_is_log(channel) &&
-                  !(settings->has_range && !(settings->range[0] > 0));
-    if (settings->has_range) {
+                  !(options->has_range && !(options->range[0] > 0));
+    if (options->has_range) {
         images->colours =
-            (murk_false_colour){settings->range[0], settings->range[1], is_log};
+            (murk_false_colour){options->range[0], options->range[1], is_log};
         return MURK_OK;
     }
     return murk_false_colour_range(&images->colours, channel, n, is_log, err);
@@ -323,8 +331,8 @@ static murk_status write_false_colour(murk_image_files *images,
         murk_channels_list(picture, picture->bands, facts->scene->band_nm,
                            picture->seen_by != NULL, list);
     const murk_channel *channel = murk_channel_find(list, n, images->channel);
-    murk_status status = choose_colours(
-        images, channel, picture->width * picture->height, facts->options, err);
+    murk_status status =
+        choose_colours(images, channel, picture->width * picture->height, err);
     const murk_false_colour *colours = &images->colours;
     /* Draw it, and write it with the texts. */
     murk_raster raster = {0};
@@ -350,7 +358,8 @@ murk_status murk_images_write(murk_image_files *images,
                               const murk_image *picture,
                               const murk_image_facts *facts, murk_error *err)
 {
-    murk_status status = write_exr(images, picture, facts, err);
+    murk_status status =
+        images->exr ? write_exr(images, picture, facts, err) : MURK_OK;
     if (!status && images->png) {
         status = write_png(images, picture, facts, err);
     }

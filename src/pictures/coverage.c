@@ -1,7 +1,7 @@
 /* Coverage of a picture: turns the surface points that the pixels show into
  * records of a map, and counts for each the sensors that see it and the
  * largest clarity. */
-#include "app/picture_coverage.h"
+#include "pictures/coverage.h"
 
 #include "base/interrupt.h"
 #include "base/pool.h"

@@ -1,8 +1,7 @@
 /* The camera and the input of a rendering (render/render.h), made of a scene, a
- * world and traced light: functions that the library and the command murk
- * render share. */
-#ifndef MURK_API_SCENE_PICTURE_H
-#define MURK_API_SCENE_PICTURE_H
+ * world and traced light. */
+#ifndef MURK_PICTURES_SCENE_PICTURE_H
+#define MURK_PICTURES_SCENE_PICTURE_H
 
 #include "lightmap/lightmap.h"
 #include "render/render.h"
