@@ -444,6 +444,45 @@ murk_status murk_context_preset(murk_context *context, const char *name,
                                 const murk_save_options *options,
                                 const murk_fields **fields, murk_error *error);
 
+/* ---- profiles ---- */
+
+/* What murk_context_profile_grid() reads of a CSV file, and the size of the
+ * grid. All members but size may be NULL or 0. */
+typedef struct murk_profile_options {
+    size_t size;        /* sizeof(murk_profile_options) */
+    const char *column; /* name of the column of the coefficient; NULL: the only
+                         * column of a coefficient */
+    const char *rows;   /* "COLUMN=VALUE": only the rows with that value in that
+                         * column, such as one cast of many; NULL: all rows */
+    double voxel_m;     /* height of a voxel [m]; 0: a hundredth of the height
+                         * of the profile */
+    double width_m;     /* width of the grid in x and in y [m]; 0: 1000 */
+} murk_profile_options;
+
+/* Reads a measured profile of a coefficient [1/m] from the CSV file `csv`,
+ * whose columns murk-media(5) describes, and writes the profile to the file
+ * `grid`
+ * (.vdb), which the key `vdb` of a medium with extinction_per_m 1 takes. The
+ * grid is one voxel wide, its top is the highest place of the profile, and the
+ * optical depth of each voxel is that of the profile. options NULL: zeros.
+ * save: `replaces`, without which a file that murk did not write is not
+ * replaced, and `asked`, a text that stands for the input in `identity`, are
+ * used; NULL: zeros, and `identity` follows from the contents of the CSV file
+ * and from the options. fields may be NULL; else *fields are `profile` and
+ * `grid` (the two paths), `column`, `rows` (the number that was read),
+ * `voxels`, `voxel_m`, `width_m`, `top_m` and `bottom_m` (the heights of the
+ * ends of the profile), `optical_depth`, `identity` and `files`, valid until
+ * the next call of this function with the context. Fails with MURK_BAD_FILE if
+ * the CSV file cannot be read, with MURK_BAD_VALUE at the line and column of a
+ * wrong value, if an option does not fit, or if the file may not be replaced,
+ * and with MURK_RUN_FAILED if the file cannot be written. */
+murk_status murk_context_profile_grid(murk_context *context, const char *csv,
+                                      const char *grid,
+                                      const murk_profile_options *options,
+                                      const murk_save_options *save,
+                                      const murk_fields **fields,
+                                      murk_error *error);
+
 /* ---- world ---- */
 
 typedef struct murk_world murk_world;

@@ -109,6 +109,7 @@ void murk_context_release(murk_context *context)
     if (context && --context->references == 0) {
         murk_fields_release(&context->reported);
         murk_fields_release(&context->preset);
+        murk_fields_release(&context->profile);
         murk_host_destroy(context->host);
         free(context->reader);
         free(context);

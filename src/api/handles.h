@@ -36,6 +36,7 @@ struct murk_context {
     char *reader;         /* a copy of options.reader */
     murk_fields reported; /* of the last murk_context_write_report() */
     murk_fields preset;   /* of the last murk_context_preset() */
+    murk_fields profile;  /* of the last murk_context_profile_grid() */
 };
 
 struct murk_scene {

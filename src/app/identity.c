@@ -6,12 +6,9 @@
 #include "app/options.h"
 #include "base/file.h"
 #include "results/identity.h"
-#include "results/json.h"
-#include "results/summary.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static murk_status write_option(FILE *to, const murk_option *option,
                                 const char *value, murk_error *err)
@@ -64,69 +61,37 @@ murk_status murk_identity_asked(char **out, const murk_options *options,
     return fclose(to) != 0 && !status ? no_memory(err) : status;
 }
 
-/* Either scene or `of` says what the input is. */
-static murk_status identify(char out[65], const murk_options *options,
-                            const murk_scene_desc *scene, const char *of,
-                            uint32_t seed, murk_error *err)
+/* Adds the lines of the keys behind an empty line. */
+murk_status murk_identity_alone(char **out, const murk_options *options,
+                                murk_error *err)
 {
     char *asked = NULL;
+    size_t size = 0;
     murk_status status = murk_identity_asked(&asked, options, err);
-    if (!status) {
-        status = murk_identity_of(out, options->command->name, asked, scene, of,
-                                  seed, err);
+    *out = NULL;
+    FILE *to = status ? NULL : open_memstream(out, &size);
+    if (to) {
+        fprintf(to, "%s\n", asked);
+        for (size_t i = 0; i < options->n_overrides; ++i) {
+            fprintf(to, "%s\n", options->overrides[i].text);
+        }
+    }
+    if (!status && (!to || fclose(to) != 0)) {
+        status = no_memory(err);
     }
     free(asked);
     return status;
 }
 
-murk_status murk_identity(char out[65], const murk_options *options,
-                          const char *of, uint32_t seed, murk_error *err)
-{
-    return identify(out, options, NULL, of, seed, err);
-}
-
 murk_status murk_identity_scene(char out[65], const murk_options *options,
                                 const murk_scene_desc *scene, murk_error *err)
 {
-    return identify(out, options, scene, "", scene->seed, err);
-}
-
-/* Adds "identity", which follows from `of` and the keys that --set gives. */
-static murk_status add_identity(cJSON *root, const murk_options *options,
-                                const char *of, murk_error *err)
-{
-    char identity[65], *text = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
-    if (!to) {
-        return no_memory(err);
-    }
-    fprintf(to, "%s\n", of);
-    for (size_t i = 0; i < options->n_overrides; ++i) {
-        fprintf(to, "%s\n", options->overrides[i].text);
-    }
-    const murk_status status =
-        fclose(to) == 0 ? murk_identity(identity, options, text, 0, err)
-                        : no_memory(err);
-    free(text);
+    char *asked = NULL;
+    murk_status status = murk_identity_asked(&asked, options, err);
     if (!status) {
-        cJSON_AddStringToObject(root, "identity", identity);
+        status = murk_identity_of(out, options->command->name, asked, scene, "",
+                                  scene->seed, err);
     }
-    return status;
-}
-
-murk_status murk_print_alone(cJSON *root, const murk_options *options,
-                             const char *of, const char *file, murk_error *err)
-{
-    murk_status status = add_identity(root, options, of, err);
-    murk_json_file(root, file);
-    char *text = status ? NULL : cJSON_Print(root);
-    if (text) {
-        murk_print_json(text);
-    } else if (!status) {
-        status = murk_no_memory(err, "", "for the JSON");
-    }
-    cJSON_free(text);
-    cJSON_Delete(root);
+    free(asked);
     return status;
 }

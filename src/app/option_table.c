@@ -138,7 +138,7 @@ const murk_option murk_option_table[] = {
      .part = MURK_OPTION_AS_TEXT},
     {"--png", NULL, NULL, "render",
      "write the picture for the eye beside the image, too, as .png",
-     .kind = MURK_OPTION_SWITCH, MEMBER(render.png)},
+     .kind = MURK_OPTION_SWITCH, .setting = "png", MEMBER(render.png)},
     {"--exposure", NULL, "STOPS", "render",
      "radiance is shown 2^STOPS times as bright in the PNG, -100..100; "
      "default: by the picture, and said",
@@ -171,10 +171,11 @@ const murk_option murk_option_table[] = {
      .kind = MURK_OPTION_TEXT, MEMBER(profile), .part = MURK_OPTION_AS_FILE},
     {"--column", NULL, "NAME", "media",
      "the profile's coefficient, where there are several",
-     .kind = MURK_OPTION_TEXT, .part = MURK_OPTION_AS_TEXT},
+     .kind = MURK_OPTION_TEXT, .setting = "column",
+     .part = MURK_OPTION_AS_TEXT},
     {"--rows", NULL, "COLUMN=VALUE", "media",
      "these rows of the profile only, such as one cast of many",
-     .kind = MURK_OPTION_TEXT, .part = MURK_OPTION_AS_TEXT},
+     .kind = MURK_OPTION_TEXT, .setting = "rows", .part = MURK_OPTION_AS_TEXT},
     {"--voxel", NULL, "M", "media trace place sense",
      "media: height of the grid's voxels in m; default: a hundredth of the "
      "profile. With --export: edge in m, at most, of the voxels of fields and "
@@ -184,7 +185,8 @@ const murk_option murk_option_table[] = {
      .part = MURK_OPTION_AS_TEXT},
     {"--width", NULL, "M", "media",
      "width of the grid in x and y in m; default: 1000",
-     .kind = MURK_OPTION_TEXT, .part = MURK_OPTION_AS_TEXT},
+     .kind = MURK_OPTION_TEXT, .setting = "width_m",
+     .part = MURK_OPTION_AS_TEXT},
     {"--light", NULL, "FILE", "place sense render",
      "use this light.murk instead of tracing. Seed and number of photons are "
      "the file's; refused when the command line gives others, or when a scene "

@@ -51,8 +51,9 @@ typedef struct murk_option {
     murk_option_read *read;
     const char *key;     /* scene key that gets the value; NULL: none */
     size_t at, size;     /* member of murk_options; size 0: none */
-    const char *setting; /* the name of the value in messages of the library */
-    bool has_items; /* the value is a list, and messages name an item behind the
+    const char *setting; /* the name of the value in messages of the library: as
+                            a place NAME, in texts options->NAME */
+    bool has_items; /* the value is a list, and places name an item behind the
                        setting: "keys KEY" */
     murk_option_part part;
     bool is_left_out; /* left out of the command line that is kept with results,

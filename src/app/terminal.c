@@ -16,6 +16,9 @@
 #define PLACE_SIZE 640  /* of a place with the name of an option */
 #define TEXT_SIZE  1024 /* of a text with names of options */
 
+/* Before the name of a setting in texts of the library. */
+#define MARK "options->"
+
 /* What helps with a file that murk did not write. */
 #define FORCE ", or --force replaces it"
 
@@ -50,19 +53,32 @@ static const murk_override *override_of(const murk_options *options,
     return NULL;
 }
 
+/* The option of the command that gives the setting of this name; NULL if there
+ * is none. */
+static const murk_option *option_of_setting(const murk_options *options,
+                                            const char *name, size_t length)
+{
+    const char *command = options->command ? options->command->name : NULL;
+    for (size_t i = 0; i < murk_option_table_size; ++i) {
+        const murk_option *option = &murk_option_table[i];
+        if (option->setting && strlen(option->setting) == length &&
+            strncmp(option->setting, name, length) == 0 &&
+            murk_option_belongs(option, command)) {
+            return option;
+        }
+    }
+    return NULL;
+}
+
 /* Names the option in place of what the library calls it. */
 static const char *place_of(const murk_options *options, const char *where,
                             char out[PLACE_SIZE])
 {
-    for (size_t i = 0; i < murk_option_table_size; ++i) {
-        const murk_option *option = &murk_option_table[i];
-        const size_t length = option->setting ? strlen(option->setting) : 0;
-        if (length > 0 && strncmp(option->setting, where, length) == 0 &&
-            (where[length] == '\0' ||
-             (option->has_items && where[length] == ' '))) {
-            snprintf(out, PLACE_SIZE, "%s%s", option->name, where + length);
-            return out;
-        }
+    const size_t length = strcspn(where, " ");
+    const murk_option *named = option_of_setting(options, where, length);
+    if (named && (where[length] == '\0' || named->has_items)) {
+        snprintf(out, PLACE_SIZE, "%s%s", named->name, where + length);
+        return out;
     }
     const size_t mark = strlen(MURK_SET_MARK);
     if (strncmp(where, MURK_SET_MARK, mark) != 0) {
@@ -86,31 +102,28 @@ static const char *place_of(const murk_options *options, const char *where,
     return out;
 }
 
-/* Copies a text and replaces `NAME`, the name of a setting between backquotes,
- * by the name of the option that gives the setting. A text that names no
- * setting is copied as it is. */
-static const char *text_of(const char *text, char out[TEXT_SIZE])
+/* Copies the text of a message, at most TEXT_SIZE - 1 bytes of it, with the
+ * name of the option in place of each setting "options->NAME" that an option
+ * gives. */
+static const char *text_of(const murk_options *options, const char *text,
+                           char out[TEXT_SIZE])
 {
     size_t n = 0;
-    while (*text && n < TEXT_SIZE - 1) {
-        const size_t length = *text == '`' ? strcspn(text + 1, "`") : 0;
-        const char *option = NULL;
-        for (size_t i = 0; i < murk_option_table_size && length > 0; ++i) {
-            const char *setting = murk_option_table[i].setting;
-            if (text[1 + length] && setting && strlen(setting) == length &&
-                strncmp(setting, text + 1, length) == 0) {
-                option = murk_option_table[i].name;
-            }
-        }
-        if (!option) {
-            out[n++] = *text++;
-            continue;
-        }
-        n += (size_t)snprintf(out + n, TEXT_SIZE - n, "%s", option);
-        n = n < TEXT_SIZE ? n : TEXT_SIZE - 1;
-        text += length + 2;
+    out[0] = '\0';
+    while (*text && n < TEXT_SIZE) {
+        /* The text before the next mark, then the option, or the mark. */
+        const char *at = strstr(text, MARK);
+        const char *name = at ? at + strlen(MARK) : "";
+        const size_t before = at ? (size_t)(at - text) : strlen(text);
+        const size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyz_");
+        const murk_option *option = option_of_setting(options, name, length);
+        n += (size_t)snprintf(out + n, TEXT_SIZE - n, "%.*s%s", (int)before,
+                              text,
+                              option ? option->name
+                              : at   ? MARK
+                                     : "");
+        text = option ? name + length : at ? name : text + before;
     }
-    out[n] = '\0';
     return out;
 }
 
@@ -118,7 +131,7 @@ void murk_terminal_fail(const murk_options *options, const murk_error *err)
 {
     char place[PLACE_SIZE], shown[TEXT_SIZE], text[TEXT_SIZE];
     const bool helps = strcmp(err->text, MURK_NOT_OURS) == 0;
-    snprintf(text, sizeof text, "%s%s", text_of(err->text, shown),
+    snprintf(text, sizeof text, "%s%s", text_of(options, err->text, shown),
              helps ? FORCE : "");
     murk_message("", place_of(options, err->where, place), text);
 }
@@ -141,7 +154,7 @@ static void tell(void *user, bool is_warning, const char *where,
     const char *kind = is_warning ? "warning: " : "note: ";
     char shown[PLACE_SIZE], said[TEXT_SIZE];
     const char *place = place_of(options, where, shown);
-    text = text_of(text, said);
+    text = text_of(options, text, said);
     if (is_shown(options, where) && murk_message_is_new(kind, place, text)) {
         murk_message(kind, place, text);
     }

@@ -134,9 +134,10 @@ static murk_status name_files(murk_image_files *out, const char *path,
     const murk_image_options *options = &out->options;
     const size_t length = strlen(path), stem = stem_length(path);
     if (length > 4 && strcmp(path + length - 4, ".png") == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, path,
-                         "the image is OpenEXR, must not end in .png; `png` "
-                         "writes one beside it");
+        return murk_fail(
+            err, MURK_BAD_VALUE, path,
+            "the image is OpenEXR, must not end in .png; options->png "
+            "writes one beside it");
     }
     out->exr = strdup(path);
     if (options->png) {

@@ -36,7 +36,7 @@ static murk_status check_maps(const murk_rendering *r,
         return MURK_OK;
     }
     return murk_fail(err, MURK_BAD_VALUE, "photons.maps",
-                     "%s, must be both for `method` maps", words[maps]);
+                     "%s, must be both for options->method maps", words[maps]);
 }
 
 murk_status murk_rendering_choose(murk_rendering *out,
@@ -135,7 +135,7 @@ static void warn_of_unsure_errors(const murk_rendering *r)
         murk_warn("samples",
                   "the errors of %.0f %% of the pixels rest on a few bright "
                   "paths: they hold in the mean, not for one pixel; take more "
-                  "than %zu samples, or `method` maps",
+                  "than %zu samples, or options->method maps",
                   100 * share, r->viewpoint.samples);
     }
 }

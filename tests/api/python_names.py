@@ -27,6 +27,7 @@ UNUSED = {
     "murk_fields_name": "as murk_fields_kind",
     "murk_plan_for_matrix": "plans of Python are of scenes, whose matrix is an array",
     "murk_context_preset": "the optics of a medium are those of a scene that names the preset",
+    "murk_context_profile_grid": "grids of Python are arrays, which NumPy makes of a profile",
     "murk_sensors_count": "lists of sensors are lists of Python",
     "murk_sensors_get": "as murk_sensors_count",
     "murk_plan_sensors": "the field `sensors` of a plan has them",

@@ -85,6 +85,15 @@ static murk_status take_fit_options(const given *g, void *of, murk_error *error)
     return status == MURK_BAD_FILE ? MURK_OK : status;
 }
 
+static murk_status take_profile_options(const given *g, void *of,
+                                        murk_error *error)
+{
+    const murk_status status =
+        murk_context_profile_grid(g->context, "no-such-profile.csv",
+                                  "no-such-grid.vdb", of, NULL, NULL, error);
+    return status == MURK_BAD_FILE ? MURK_OK : status;
+}
+
 static murk_status take_sensor(const given *g, void *of, murk_error *error)
 {
     murk_sensors *sensors = NULL;
@@ -146,6 +155,7 @@ static const murk_study_options of_study = {.size = sizeof of_study};
 static const murk_fit_options of_fit = {.size = sizeof of_fit};
 static const murk_picture_options of_picture = {.size = sizeof of_picture};
 static const murk_image_options of_images = {.size = sizeof of_images};
+static const murk_profile_options of_profile = {.size = sizeof of_profile};
 static const murk_sensor of_sensor = {.size = sizeof of_sensor, .type = "node"};
 static const murk_array of_array = {.size = sizeof of_array,
                                     .data = places,
@@ -176,6 +186,8 @@ static const struct {
              sizeof of_picture, sizeof(size_t), false},
             {"murk_image_options", take_image_options, &of_images,
              sizeof of_images, sizeof(size_t), false},
+            {"murk_profile_options", take_profile_options, &of_profile,
+             sizeof of_profile, sizeof(size_t), false},
             {"murk_sensor", take_sensor, &of_sensor, sizeof of_sensor,
              2 * sizeof(size_t), false},
             {"murk_array", take_array, &of_array, sizeof of_array,

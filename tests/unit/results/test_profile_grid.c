@@ -2,9 +2,9 @@
  * each voxel against the profile's integral, units, and what is refused.
  * Nothing here is random. */
 #define _DEFAULT_SOURCE /* mkdtemp */
-#include "app/media_profile.h"
 #include "check.h"
 #include "medium/media.h"
+#include "results/profile_grid.h"
 #include "written.h"
 
 #include <stdlib.h>
@@ -165,13 +165,13 @@ static void test_refusals(void)
         {"depth_m,c\n1,2\n", NULL, NULL, 0, "cast.csv",
          "no column of a coefficient"},
         {"depth_m,c_per_m,b_per_m\n1,2,3\n", NULL, NULL, 0, "cast.csv",
-         "c_per_m and b_per_m, must choose with --column"},
+         "c_per_m and b_per_m, must choose with options->column"},
         {"depth_m,c_per_m\n1,2\n", "d_per_m", NULL, 0, "cast.csv",
-         "--column d_per_m: not a column"},
+         "options->column d_per_m: not a column"},
         {"depth_m,c_per_m\n1,2\n", "depth_m", NULL, 0, "cast.csv",
          "no unit in its name"},
         {"depth_m,c_per_m\n1,2\n", NULL, "s=a", 0, "cast.csv",
-         "--rows s=a: must be COLUMN=VALUE"},
+         "options->rows s=a: must be COLUMN=VALUE"},
         {"depth_m,c_per_m\n1,2\n2,2\n", NULL, "c_per_m=7", 0, "cast.csv",
          "0 rows of a profile where c_per_m=7"},
         {CAST, NULL, NULL, 1e-9, "cast.csv", "1e+10 voxels of 1e-09 m"}};
