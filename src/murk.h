@@ -483,6 +483,38 @@ murk_status murk_context_profile_grid(murk_context *context, const char *csv,
                                       const murk_fields **fields,
                                       murk_error *error);
 
+/* ---- reference ---- */
+
+/* *fields: what murk knows of files and of itself, by name, for editors and
+ * forms.
+ *
+ * "scene": the keys of a scene file. `introduction` and `keys` are those of the
+ * top level; `all` is a list of all keys, with `path` ("media.*.albedo", where
+ * * stands for the name or the number of an item) and `is_settable` (the path
+ * has no *, and the key is no map). Each key has `type` ("number", "word",
+ * "list of maps"), `value` (the values in words), `range` of numbers
+ * (`minimum`, `maximum`, `excludes_minimum`, `excludes_maximum`), `words` (the
+ * names of detection modes, of types of lights and the like), `unit`, `default`
+ * in YAML, `default_in_words` if the default depends on other keys, `required`
+ * (of a group, `of_group`: one key of the group), `in_place_of` (the other keys
+ * of the group, of which a map has one at most), `variants` (the kinds of the
+ * map that have the key; empty: all), and `meaning`.
+ *
+ * "scene.KEY", with the path of a key: `path`, `of` (what has the key), `rows`
+ * (the same members, once for each kind of values that the key takes in
+ * different variants of the map), and `introduction` and `keys` of the map if
+ * the key is a map. "study" and "study.KEY": the same of a study file.
+ *
+ * "schema": a JSON Schema (draft-07) of scene and study files, which
+ * murk_fields_json() prints. "version": `version`, `commit`, `date` (of the
+ * commit), `compiler` and `packages` of the library.
+ *
+ * The fields are valid until the next call of this function with the context.
+ * Fails with MURK_BAD_VALUE if there is no such name or key. */
+murk_status murk_context_reference(murk_context *context, const char *name,
+                                   const murk_fields **fields,
+                                   murk_error *error);
+
 /* ---- world ---- */
 
 typedef struct murk_world murk_world;

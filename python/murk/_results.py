@@ -105,6 +105,22 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
     return os.path.join(os.fspath(folder), "report.html") if page is None else page
 
 
+def reference(name: str = "scene", context: Context | None = None) -> Result:
+    """What murk knows of files and of itself, for editors and forms.
+
+    name: "scene" or "study": `keys` of the top level, and `all`, a list of all keys with `path`, `type`, `value`, `range`,
+    `words`, `unit`, `default`, `meaning` and so on; "scene.KEY" or "study.KEY": `rows` of one key, and `keys` of its map;
+    "schema": a JSON Schema of both; "version": commit, compiler and packages. Raises Error if there is no such name or
+    key. Source: `murk help`, `murk schema`.
+
+    Example: `murk.reference("scene.media.fog.albedo").rows[0].value`.
+    """
+    context = context or default_context()
+    fields = ffi.new("const murk_fields **")
+    call(lib.murk_context_reference, context.c, c_text(name), fields)
+    return result_in(fields)
+
+
 def report_of(saved: Any, page: Path) -> Path:
     """The page of an object that has save(), through a folder that is removed."""
     handle_of(saved)

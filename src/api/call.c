@@ -69,7 +69,8 @@ static const struct {
     {"voxel_m", false}, {"runs", false},        {"loss", false},
     {"predict", false}, {"command", false},     {"photon", false},
     {"picture", false}, {"pixels", false},      {"cut_m", false},
-    {"camera", false},  {"from_sensor", false}, {"false_colour", false}};
+    {"camera", false},  {"from_sensor", false}, {"false_colour", false},
+    {"width_m", false}};
 
 /* Returns the part of a place behind MURK_SET_MARK ("set "), or behind the name
  * of a setting and a blank if the setting is a list: a text that begins with a

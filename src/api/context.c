@@ -110,6 +110,7 @@ void murk_context_release(murk_context *context)
         murk_fields_release(&context->reported);
         murk_fields_release(&context->preset);
         murk_fields_release(&context->profile);
+        murk_fields_release(&context->reference);
         murk_host_destroy(context->host);
         free(context->reader);
         free(context);

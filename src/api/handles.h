@@ -33,10 +33,11 @@ struct murk_context {
     murk_host *host;
     unsigned threads;
     murk_context_options options;
-    char *reader;         /* a copy of options.reader */
-    murk_fields reported; /* of the last murk_context_write_report() */
-    murk_fields preset;   /* of the last murk_context_preset() */
-    murk_fields profile;  /* of the last murk_context_profile_grid() */
+    char *reader;          /* a copy of options.reader */
+    murk_fields reported;  /* of the last murk_context_write_report() */
+    murk_fields preset;    /* of the last murk_context_preset() */
+    murk_fields profile;   /* of the last murk_context_profile_grid() */
+    murk_fields reference; /* of the last murk_context_reference() */
 };
 
 struct murk_scene {

@@ -1,10 +1,10 @@
-/* The files that are built into the program: the pages of the reference of
- * scene keys (doc/reference), and the scenes to start from (scenes/start). */
+/* The files that are built into the program: the scenes to start from
+ * (scenes/start). */
 #ifndef MURK_APP_BUILT_IN_FILES_H
 #define MURK_APP_BUILT_IN_FILES_H
 
 #include "base/built_in.h"
 
-extern const murk_built_in murk_reference_files, murk_start_files;
+extern const murk_built_in murk_start_files;
 
 #endif

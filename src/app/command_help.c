@@ -1,232 +1,185 @@
-/* murk help: the reference entry of a scene key. The key table says which
- * values a key takes, its default and the keys that it excludes; the meaning is
- * that of doc/reference. The entry of a map is followed by the keys of the
- * map. */
+/* murk help: the reference entry of a scene key, as murk_context_reference()
+ * gives it. The entry of a map is followed by the keys of the map. */
+#include "app/field.h"
 #include "app/options.h"
-#include "app/reference.h"
 #include "results/summary.h"
-#include "scene/value.h"
-#include "scene/words.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#define NAMES_MAX 64   /* more names than a table of keys has */
-#define LIST_SIZE 1000 /* bytes, more than a list of names of keys has */
+/* ---- fields ---- */
 
-/* ---- names that are listed ---- */
-
-static void add(char list[LIST_SIZE], const char *name)
+/* Prints a label, and the texts of a list with commas between; nothing if the
+ * list is empty. */
+static void print_list(const murk_fields *f, const char *label,
+                       const char *path)
 {
-    const size_t length = strlen(list);
-    snprintf(list + length, LIST_SIZE - length, "%s%s", length ? ", " : "",
-             name);
-}
-
-/* Lists the other keys of the group of a key. A map may have one key of a group
- * at most. */
-static void list_group(char list[LIST_SIZE], const murk_keys *table,
-                       const murk_key *row)
-{
-    list[0] = '\0';
-    for (const murk_key *other = table->key; other->name; ++other) {
-        if (row->group && other->group == row->group &&
-            strcmp(other->name, row->name) != 0) {
-            add(list, other->name);
-        }
+    const size_t n = murk_field_length(f, "%s", path);
+    for (size_t i = 0; i < n; ++i) {
+        murk_print("%s%s", i ? ", " : label,
+                   murk_field_text(f, "%s.%zu", path, i));
+    }
+    if (n > 0) {
+        murk_print("\n");
     }
 }
 
-/* Lists the variants of the map that may have the key. An empty list means all
- * variants. */
-static void list_variants(char list[LIST_SIZE], const murk_keys *table,
-                          const murk_key *row)
+static bool is_true(const murk_fields *f, const char *path, const char *name)
 {
-    list[0] = '\0';
-    for (int i = 0; row->variants && i < murk_keys_variants(table); ++i) {
-        if (row->variants & (1u << i)) {
-            add(list, murk_keys_variant_name(table, i));
-        }
-    }
+    char whole[MURK_FIELD_PATH_SIZE];
+    bool value = false;
+    snprintf(whole, sizeof whole, "%s.%s", path, name);
+    (void)murk_fields_bool(f, whole, &value, NULL);
+    return value;
 }
 
 /* ---- entries ---- */
 
-/* Prints the default of a key. The reference describes in words a default that
- * depends on other keys. */
-static void print_default(const murk_keys *table, const murk_key *row)
+/* Prints what is known of a row: `path` is that of its fields. said: the
+ * meaning of the row before, which is not told twice. */
+static void print_row(const murk_fields *f, const char *path, const char *said)
 {
-    char *stated = murk_reference_default(table, row);
-    const bool is_stated = stated && strcmp(stated, "-") != 0 &&
-                           strcmp(stated, "required") != 0 &&
-                           strcmp(stated, "one of these") != 0;
-    murk_print("default     %s\n", row->preset     ? row->preset
-                                   : row->required ? "none; required"
-                                   : is_stated     ? stated
-                                                   : "none; may be left out");
-    free(stated);
+    char list[MURK_FIELD_PATH_SIZE], label[128];
+    /* The variants that have the key. */
+    snprintf(list, sizeof list, "%s.variants", path);
+    snprintf(label, sizeof label,
+             "of          a %s: ", murk_field_text(f, "of"));
+    print_list(f, label, list);
+    /* Values, unit and default. */
+    murk_print("value       %s\n", murk_field_text(f, "%s.value", path));
+    const char *unit = murk_field_text(f, "%s.unit", path);
+    const char *preset = murk_field_text(f, "%s.default", path);
+    const char *stated = murk_field_text(f, "%s.default_in_words", path);
+    if (unit) {
+        murk_print("unit        %s\n", unit);
+    }
+    murk_print("default     %s\n", preset ? preset
+                                   : is_true(f, path, "required")
+                                       ? "none; required"
+                                   : stated ? stated
+                                            : "none; may be left out");
+    /* Other keys of the group, and the meaning. */
+    snprintf(list, sizeof list, "%s.in_place_of", path);
+    print_list(f, "in place of ", list);
+    const char *meaning = murk_field_text(f, "%s.meaning", path);
+    if (meaning && (!said || strcmp(meaning, said) != 0)) {
+        murk_print("meaning     %s\n", meaning);
+    }
 }
 
 /* Prints all rows of a name: a key may take other values in other variants. */
-static void print_entry(const murk_reference_key *key)
+static void print_entry(const murk_fields *f)
 {
-    char list[LIST_SIZE], *said = NULL;
-    murk_print("key         %s\n", key->path);
-    for (const murk_key *row = key->row; row->name; ++row) {
-        if (strcmp(row->name, key->row->name) != 0) {
-            continue;
-        }
-        /* What the key table says. */
-        char allowed[MURK_ALLOWED_SIZE];
-        murk_value_allowed(row, allowed);
-        list_variants(list, key->table, row);
-        if (list[0]) {
-            murk_print("of          a %s: %s\n", key->table->noun, list);
-        }
-        murk_print("value       %s\n", allowed);
-        if (row->unit) {
-            murk_print("unit        %s\n", row->unit);
-        }
-        print_default(key->table, row);
-        list_group(list, key->table, row);
-        if (list[0]) {
-            murk_print("in place of %s\n", list);
-        }
-        /* What the reference says, once. */
-        char *meaning = murk_reference_meaning(key->table, row);
-        if (meaning && (!said || strcmp(meaning, said) != 0)) {
-            murk_print("meaning     %s\n", meaning);
-        }
-        free(said);
-        said = meaning;
+    const char *said = NULL;
+    murk_print("key         %s\n", murk_field_text(f, "path"));
+    for (size_t i = 0; i < murk_field_length(f, "rows"); ++i) {
+        char path[32];
+        snprintf(path, sizeof path, "rows.%zu", i);
+        print_row(f, path, said);
+        said = murk_field_text(f, "%s.meaning", path);
     }
-    free(said);
 }
 
-/* True if a row above has the same name and meaning, in another variant. */
-static bool is_repeated(const murk_keys *table, const murk_key *row,
-                        const char *meaning)
+/* True if a key above has the same name and meaning, in another variant. */
+static bool is_repeated(const murk_fields *f, size_t i)
 {
+    const char *name = murk_field_text(f, "keys.%zu.name", i);
+    const char *meaning = murk_field_text(f, "keys.%zu.meaning", i);
     bool is_same = false;
-    for (const murk_key *above = table->key; above < row; ++above) {
-        if (strcmp(above->name, row->name) == 0) {
-            char *other = murk_reference_meaning(table, above);
-            is_same |= other && meaning && strcmp(other, meaning) == 0;
-            free(other);
-        }
+    for (size_t k = 0; k < i; ++k) {
+        const char *other = murk_field_text(f, "keys.%zu.meaning", k);
+        is_same |= strcmp(murk_field_text(f, "keys.%zu.name", k), name) == 0 &&
+                   other && meaning && strcmp(other, meaning) == 0;
     }
     return is_same;
 }
 
 /* Prints the keys of a map, with values, defaults and meanings. */
-static void print_table(const murk_keys *table, const char *path)
+static void print_map(const murk_fields *f)
 {
-    char *introduction = murk_reference_introduction(table);
-    murk_print("\nkeys of %s\n", path);
+    const char *introduction = murk_field_text(f, "introduction");
+    murk_print("\nkeys of %s\n", murk_field_text(f, "path"));
     if (introduction) {
         murk_print("  %s\n", introduction);
     }
-    free(introduction);
     /* Each key: name and values, then the meaning. */
-    for (const murk_key *row = table->key; row->name; ++row) {
-        char allowed[MURK_ALLOWED_SIZE];
-        char *meaning = murk_reference_meaning(table, row);
-        if (is_repeated(table, row, meaning)) {
-            free(meaning);
+    for (size_t i = 0; i < murk_field_length(f, "keys"); ++i) {
+        char path[32];
+        if (is_repeated(f, i)) {
             continue;
         }
-        murk_value_allowed(row, allowed);
-        murk_print("  %s: %s%s%s\n", row->name, allowed,
-                   row->preset      ? "; default "
-                   : !row->required ? ""
-                   : row->group     ? "; one of a group is required"
-                                    : "; required",
-                   row->preset ? row->preset : "");
+        snprintf(path, sizeof path, "keys.%zu", i);
+        const char *preset = murk_field_text(f, "%s.default", path);
+        const char *meaning = murk_field_text(f, "%s.meaning", path);
+        murk_print("  %s: %s%s%s\n", murk_field_text(f, "%s.name", path),
+                   murk_field_text(f, "%s.value", path),
+                   preset                          ? "; default "
+                   : !is_true(f, path, "required") ? ""
+                   : is_true(f, path, "of_group")
+                       ? "; one of a group is required"
+                       : "; required",
+                   preset ? preset : "");
         murk_print("      %s\n", meaning ? meaning : "");
-        free(meaning);
     }
-}
-
-/* ---- unknown keys ---- */
-
-typedef struct search {
-    const char *last; /* part of the unknown path */
-    char list[LIST_SIZE];
-} search;
-
-static void take_same_name(void *context, const char *path)
-{
-    search *s = context;
-    const char *dot = strrchr(path, '.');
-    if (strcmp(dot ? dot + 1 : path, s->last) == 0) {
-        add(s->list, path);
-    }
-}
-
-/* Suggests a key of the same map that is spelled alike, or keys of that name in
- * other maps. */
-static murk_status unknown_key(const char *path, const murk_reference_key *key,
-                               murk_error *err)
-{
-    const char *names[NAMES_MAX], *dot = strrchr(path, '.');
-    char part[MURK_SCENE_NAME_SIZE], shown[MURK_REFERENCE_PATH_SIZE];
-    size_t n = 0;
-    const murk_key *row = key->looked_up ? key->looked_up->key : NULL;
-    for (; row && row->name && n < NAMES_MAX; ++row) {
-        names[n++] = row->name;
-    }
-    snprintf(part, sizeof part, "%.*s", (int)strcspn(key->unknown, "."),
-             key->unknown);
-    murk_words_show(shown, sizeof shown, path);
-    /* A key that is spelled alike, in the table in which the unknown part of
-     * the path was looked up. */
-    const char *meant = murk_words_meant(part, names, n);
-    if (meant) {
-        return murk_fail(err, MURK_BAD_VALUE, shown,
-                         "no such key, did you mean %.*s%s?",
-                         (int)(key->unknown - path), path, meant);
-    }
-    search s = {.last = dot ? dot + 1 : path};
-    murk_reference_visit_all(take_same_name, &s);
-    return s.list[0] ? murk_fail(err, MURK_BAD_VALUE, shown,
-                                 "no such key, did you mean %s?", s.list)
-                     : murk_fail(err, MURK_BAD_VALUE, shown,
-                                 "no such key; murk help lists the keys of a "
-                                 "scene");
 }
 
 /* ---- the command ---- */
 
 /* The keys of the top level, with the first sentence of each meaning. */
-static void print_top_level(void)
+static void print_top_level(const murk_fields *f)
 {
     murk_print("usage: murk help KEY, as in murk help sensors.count; murk "
                "COMMAND --help\n\n");
-    for (const murk_key *row = murk_scene_keys.key; row->name; ++row) {
-        char *meaning = murk_reference_meaning(&murk_scene_keys, row);
+    for (size_t i = 0; i < murk_field_length(f, "keys"); ++i) {
+        const char *meaning = murk_field_text(f, "keys.%zu.meaning", i);
         const char *stop = meaning ? strstr(meaning, ". ") : NULL;
-        murk_print("%-14s%.*s\n", row->name,
+        murk_print("%-14s%.*s\n", murk_field_text(f, "keys.%zu.name", i),
                    stop      ? (int)(stop + 1 - meaning)
                    : meaning ? (int)strlen(meaning)
                              : 0,
                    meaning ? meaning : "");
-        free(meaning);
     }
+}
+
+/* Looks a key up. A key that the library does not know, nor one like it, is
+ * refused with the command that lists the keys. */
+static murk_status find(const murk_fields **out, const murk_options *options,
+                        murk_error *err)
+{
+    murk_error why = MURK_ERROR_NONE;
+    const size_t size = sizeof "scene." + strlen(options->input);
+    char *name = malloc(size);
+    if (!name) {
+        return murk_no_memory(err, "", "for the key");
+    }
+    snprintf(name, size, "scene.%s", options->input);
+    const murk_status status =
+        murk_context_reference(options->context, name, out, &why);
+    free(name);
+    return status ? murk_fail(err, status, why.where, "%s%s", why.text,
+                              strcmp(why.text, "no such key") == 0
+                                  ? "; murk help lists the keys of a scene"
+                                  : "")
+                  : MURK_OK;
 }
 
 murk_status murk_command_help(const murk_options *options, murk_error *err)
 {
+    const murk_fields *f = NULL;
+    const murk_status status =
+        options->input
+            ? find(&f, options, err)
+            : murk_context_reference(options->context, "scene", &f, err);
+    if (status) {
+        return status;
+    }
     if (!options->input) {
-        print_top_level();
+        print_top_level(f);
         return MURK_OK;
     }
-    const murk_reference_key key = murk_reference_find(options->input);
-    if (!key.row) {
-        return unknown_key(options->input, &key, err);
-    }
-    print_entry(&key);
-    if (key.row->keys && !key.row->keys->is_open) {
-        print_table(key.row->keys, key.path);
+    print_entry(f);
+    if (murk_field_length(f, "keys") > 0) {
+        print_map(f);
     }
     if (murk_command_find(options->input)) {
         murk_print("\nThe command of this name: murk %s --help\n",

@@ -2,7 +2,7 @@
  * scenes/start and are built into the program. */
 #include "app/built_in_files.h"
 #include "app/options.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <stdlib.h>
 #include <string.h>

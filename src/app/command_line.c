@@ -3,12 +3,12 @@
  * each other. An unknown word is refused with the nearest known one. */
 #include "app/command_line.h"
 
+#include "app/lookup.h"
 #include "app/option_values.h"
 #include "base/number.h"
 #include "base/pool.h"
 #include "base/utf8.h"
-#include "scene/keys.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -328,6 +328,18 @@ static murk_status check_text_alone(const murk_options *out, murk_error *err)
                : MURK_OK;
 }
 
+/* True if a command has the name of a key of a scene. False, too, if no context
+ * can be made: the command that is run makes one and tells the reason. */
+static bool is_key(const murk_command *command)
+{
+    char name[64];
+    murk_lookup lookup;
+    snprintf(name, sizeof name, "scene.%s", command->name);
+    const murk_status status = murk_lookup_begin(&lookup, name, NULL);
+    murk_lookup_end(&lookup);
+    return !status;
+}
+
 /* Takes a word that is no option: the command or the input. */
 static murk_status take_word(murk_options *out, const char *word,
                              murk_error *err)
@@ -339,8 +351,7 @@ static murk_status take_word(murk_options *out, const char *word,
         out->command = command;
         return command ? MURK_OK : unknown_command(word, err);
     }
-    if (is_help && !out->input && command &&
-        !murk_keys_find(&murk_scene_keys, word)) {
+    if (is_help && !out->input && command && !is_key(command)) {
         out->command = command; /* murk help place */
         out->wants_help = true;
     } else if (!out->input) {

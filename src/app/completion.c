@@ -7,14 +7,11 @@
  * function and hands the answer to the shell. The word "@files" stands for the
  * names of files and folders, "@keys" for the scene keys and "=". */
 #include "app/built_in_files.h"
+#include "app/field.h"
 #include "app/help.h"
-#include "app/reference.h"
-#include "scene/keys.h"
-#include "scene/presets.h"
+#include "app/lookup.h"
 
 #include <string.h>
-
-#define KEY_PATH_MAX 128 /* bytes of a key's path; the longest has some 40 */
 
 static const char for_bash[] =
     "_murk() {\n"
@@ -111,12 +108,11 @@ static void put_options_of(FILE *to, const char *command)
     }
 }
 
-static void put_presets(FILE *to)
+/* Prints the names of the presets, a list in the fields `f`. */
+static void put_presets(FILE *to, const murk_fields *f)
 {
-    for (size_t i = 0; i < murk_presets_count(); ++i) {
-        char name[MURK_PRESET_NAME_SIZE];
-        murk_presets_name(i, name);
-        fprintf(to, " %s", name);
+    for (size_t i = 0; i < murk_field_length(f, "presets"); ++i) {
+        fprintf(to, " %s", murk_field_text(f, "presets.%zu.name", i));
     }
 }
 
@@ -130,13 +126,17 @@ static void put_start_scenes(FILE *to)
     }
 }
 
-static void put_path(void *to, const char *path)
+/* Prints the paths of all keys. `f` are the fields of the keys of a scene. */
+static void put_paths(FILE *to, const murk_fields *f)
 {
-    fprintf(to, " %s", path);
+    for (size_t i = 0; i < murk_field_length(f, "all"); ++i) {
+        fprintf(to, " %s", murk_field_text(f, "all.%zu.path", i));
+    }
 }
 
 /* Prints the words that may follow a command. */
-static void put_inputs_of(FILE *to, const murk_command *command)
+static void put_inputs_of(FILE *to, const murk_command *command,
+                          const murk_fields *keys, const murk_fields *presets)
 {
     switch (command->input) {
     case MURK_INPUT_SCENE:
@@ -145,39 +145,38 @@ static void put_inputs_of(FILE *to, const murk_command *command)
         fputs("@files", to);
         break;
     case MURK_INPUT_PRESET:
-        put_presets(to);
+        put_presets(to, presets);
         break;
     case MURK_INPUT_START_SCENE:
         put_start_scenes(to);
         break;
     case MURK_INPUT_KEY:
-        murk_reference_visit_all(put_path, to);
+        put_paths(to, keys);
         break;
     case MURK_INPUT_NONE:
         break;
     }
 }
 
-/* Prints the paths of the keys of a map and of the maps inside. Keys of list
- * items and of named maps are left out, since their paths hold numbers and
- * names of the scene. */
-static void put_keys(FILE *to, const murk_keys *keys, const char *path)
+/* Prints the paths of keys that --set takes. Keys of list items and of named
+ * maps are left out, since their paths hold numbers and names of the scene. */
+static void put_keys(FILE *to, const murk_fields *f)
 {
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        char inner[KEY_PATH_MAX];
-        snprintf(inner, sizeof inner, "%s%s", path, key->name);
-        if (key->kind == MURK_KEY_MAP && key->keys) {
-            strncat(inner, ".", sizeof inner - strlen(inner) - 1);
-            put_keys(to, key->keys, inner);
-        } else if (!key->keys) {
-            fprintf(to, " %s", inner);
+    for (size_t i = 0; i < murk_field_length(f, "all"); ++i) {
+        char path[MURK_FIELD_PATH_SIZE];
+        bool is_settable = false;
+        snprintf(path, sizeof path, "all.%zu.is_settable", i);
+        (void)murk_fields_bool(f, path, &is_settable, NULL);
+        if (is_settable) {
+            fprintf(to, " %s", murk_field_text(f, "all.%zu.path", i));
         }
     }
 }
 
 /* ---- the script ---- */
 
-void murk_completion_print(FILE *to, bool is_zsh)
+static void print_script(FILE *to, bool is_zsh, const murk_fields *keys,
+                         const murk_fields *presets)
 {
     fprintf(to,
             "%s# Completion of murk for %s, written by murk --completion.\n",
@@ -195,7 +194,7 @@ void murk_completion_print(FILE *to, bool is_zsh)
         fprintf(to, "    %s/-*) echo '", command->name);
         put_options_of(to, command->name);
         fprintf(to, "' ;;\n    %s/*) echo '", command->name);
-        put_inputs_of(to, command);
+        put_inputs_of(to, command, keys, presets);
         fputs("' ;;\n", to);
     }
     fputs("    */-*) echo '", to);
@@ -205,6 +204,22 @@ void murk_completion_print(FILE *to, bool is_zsh)
         fprintf(to, " %s", murk_commands[i].name);
     }
     fputs("' ;;\n    esac\n}\n\n_murk_keys() {\n    echo '", to);
-    put_keys(to, &murk_scene_keys, "");
+    put_keys(to, keys);
     fprintf(to, "'\n}\n\n%s", is_zsh ? for_zsh : for_bash);
+}
+
+murk_status murk_completion_print(FILE *to, bool is_zsh, murk_error *err)
+{
+    murk_lookup lookup;
+    const murk_fields *presets = NULL;
+    murk_status status = murk_lookup_begin(&lookup, "scene", err);
+    if (!status) {
+        status = murk_context_preset(lookup.context, NULL, NULL, NULL, 0, NULL,
+                                     &presets, err);
+    }
+    if (!status) {
+        print_script(to, is_zsh, lookup.fields, presets);
+    }
+    murk_lookup_end(&lookup);
+    return status;
 }

@@ -1,11 +1,12 @@
 /* The program: sets up signals, parses the command line, runs the command, and
  * turns its status into an exit code. */
 #include "app/command_line.h"
+#include "app/field.h"
 #include "app/help.h"
+#include "app/lookup.h"
 #include "app/terminal.h"
 #include "app/terminate_bridge.h"
 #include "base/pool.h"
-#include "results/version.h"
 
 #include <poll.h>
 #include <signal.h>
@@ -16,29 +17,34 @@
 /* What a shell calls the end by SIGPIPE: 128 + 13. */
 #define READER_GONE 141
 
-static void print_version(void)
+static murk_status print_version(murk_error *err)
 {
-    printf("murk %s (commit %s, %s)\n", MURK_VERSION, murk_version_commit(),
-           murk_version_compiler());
-    for (size_t i = 0; i < murk_packages_count; ++i) {
-        printf("  %s %s\n", murk_packages[i].name, murk_packages[i].version);
+    murk_lookup lookup;
+    const murk_status status = murk_lookup_begin(&lookup, "version", err);
+    if (!status) {
+        const murk_fields *f = lookup.fields;
+        printf("murk %s (commit %s, %s)\n", murk_version(),
+               murk_field_text(f, "commit"), murk_field_text(f, "compiler"));
+        for (size_t i = 0; i < murk_field_length(f, "packages"); ++i) {
+            const char *name = murk_fields_name(f, "packages", i);
+            printf("  %s %s\n", name, murk_field_text(f, "packages.%s", name));
+        }
     }
+    murk_lookup_end(&lookup);
+    return status;
 }
 
 static murk_status run(murk_options *options, murk_error *err)
 {
     if (options->wants_version) {
-        print_version();
-        return MURK_OK;
+        return print_version(err);
     }
     if (murk_option_is_given(options, "--completion")) {
-        murk_completion_print(stdout,
-                              murk_option_number(options, "--completion", 0));
-        return MURK_OK;
+        return murk_completion_print(
+            stdout, murk_option_number(options, "--completion", 0), err);
     }
     if (options->wants_man) {
-        murk_man_print(stdout, options->command);
-        return MURK_OK;
+        return murk_man_print(stdout, options->command, err);
     }
     if (options->wants_help) {
         murk_help_print(stdout, options->command);

@@ -1,7 +1,8 @@
 /* The man pages of section 1, in roff's man macros, from the tables that parse
  * the command line and make --help. */
+#include "app/field.h"
 #include "app/help.h"
-#include "results/version.h"
+#include "app/lookup.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -101,14 +102,16 @@ static void exit_status(FILE *to)
     roff(to, ".PP\n@\n", murk_help_messages);
 }
 
-static void head(FILE *to, const char *page, const char *summary)
+/* The head of a page. version: the fields of that name. */
+static void head(FILE *to, const murk_fields *version, const char *page,
+                 const char *summary)
 {
     fputs(".TH ", to);
     for (const char *c = page; *c; ++c) {
         fputc(toupper((unsigned char)*c), to);
     }
     fprintf(to, " 1 %s \"murk %s\" \"User Commands\"\n.ad l\n.nh\n",
-            murk_version_date(), MURK_VERSION);
+            murk_field_text(version, "date"), murk_version());
     roff(to, ".SH NAME\n@ \\- @\n.SH SYNOPSIS\n", page, summary);
 }
 
@@ -134,11 +137,12 @@ static void see_also(FILE *to, const murk_command *self)
     fputs("\n", to);
 }
 
-static void command_page(FILE *to, const murk_command *command)
+static void command_page(FILE *to, const murk_fields *version,
+                         const murk_command *command)
 {
     char page[64];
     snprintf(page, sizeof page, "murk-%s", command->name);
-    head(to, page, command->summary);
+    head(to, version, page, command->summary);
     roff(to,
          "\\fBmurk \\fR\\fB@\\fR \\fI@\\fR [\\fIOPTIONS\\fR]\n"
          ".SH DESCRIPTION\n@\n",
@@ -161,9 +165,9 @@ static void command_page(FILE *to, const murk_command *command)
     see_also(to, command);
 }
 
-static void program_page(FILE *to)
+static void program_page(FILE *to, const murk_fields *version)
 {
-    head(to, "murk",
+    head(to, version, "murk",
          "light in fog, smoke, rain and water, and where sensors see it");
     roff(to,
          "\\fBmurk\\fR \\fICOMMAND\\fR \\fISCENE\\fR [\\fIOPTIONS\\fR]\n"
@@ -202,11 +206,16 @@ static void program_page(FILE *to)
           to);
 }
 
-void murk_man_print(FILE *to, const murk_command *command)
+murk_status murk_man_print(FILE *to, const murk_command *command,
+                           murk_error *err)
 {
-    if (command) {
-        command_page(to, command);
-    } else {
-        program_page(to);
+    murk_lookup lookup;
+    const murk_status status = murk_lookup_begin(&lookup, "version", err);
+    if (!status && command) {
+        command_page(to, lookup.fields, command);
+    } else if (!status) {
+        program_page(to, lookup.fields);
     }
+    murk_lookup_end(&lookup);
+    return status;
 }

@@ -6,7 +6,7 @@
 
 #include "base/log.h"
 #include "base/number.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <math.h>
 #include <stdio.h>

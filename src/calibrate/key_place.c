@@ -5,10 +5,10 @@
 #include "calibrate/key_place.h"
 
 #include "base/number.h"
+#include "base/words.h"
 #include "preset/check_words.h"
 #include "scene/key_path.h"
 #include "scene/presets.h"
-#include "scene/words.h"
 
 #include <math.h>
 #include <stdarg.h>

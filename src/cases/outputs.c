@@ -2,7 +2,7 @@
  * outputs that are unknown or that lack something they need. */
 #include "cases/outputs.h"
 
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <stdio.h>
 #include <string.h>

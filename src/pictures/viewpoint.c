@@ -4,10 +4,10 @@
 
 #include "base/log.h"
 #include "base/position.h"
+#include "base/words.h"
 #include "pictures/scene_picture.h"
 #include "plan/free_space.h"
 #include "render/render.h"
-#include "scene/words.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  * and column. */
 #include "readings/cells.h"
 
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -4,7 +4,7 @@
 #include "readings/line.h"
 
 #include "base/position.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <float.h>
 #include <math.h>

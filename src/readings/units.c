@@ -2,7 +2,7 @@
  * model to each unit. */
 #include "readings/units.h"
 
-#include "scene/words.h"
+#include "base/words.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,10 +3,10 @@
  * key of the condition in place, with the checks of scene/override.h. */
 #include "scene/conditions.h"
 
+#include "base/words.h"
 #include "scene/override.h"
 #include "scene/scene.h"
 #include "scene/walk.h"
-#include "scene/words.h"
 
 #include <assert.h>
 #include <stdio.h>

@@ -4,9 +4,9 @@
 
 #include <string.h>
 
+#include "base/words.h"
 #include "scene/override.h"
 #include "scene/value.h"
-#include "scene/words.h"
 
 #define LETTERS \
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_"

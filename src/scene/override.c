@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "base/number.h"
+#include "base/words.h"
 #include "scene/key_path.h"
-#include "scene/words.h"
 
 typedef struct option_context {
     const char *source; /* source of nodes created on the way */

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/words.h"
 #include "preset/files.h"
 #include "scene/keys_preset.h"
-#include "scene/words.h"
 
 #define SOURCE_SIZE (MURK_PRESET_NAME_SIZE + sizeof ENDING)
 

@@ -3,10 +3,10 @@
 #include "scene/study_file.h"
 
 #include "base/file.h"
+#include "base/words.h"
 #include "scene/keys_rows.h"
 #include "scene/study_axes.h"
 #include "scene/value.h"
-#include "scene/words.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -16,7 +16,7 @@
 #include "base/csv.h"
 #include "base/file.h"
 #include "base/number.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 /* Limits against hostile files; scene/table.h states them. 1e7 positions of
  * sensors or points are more than any run can use. */

@@ -12,7 +12,7 @@
 #include "base/file.h"
 #include "base/memory_files.h"
 #include "base/number.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 /* Lists of numbers are read into size_t[] and murk_vec3 as if these were
  * uint64_t[] and double[3]. */

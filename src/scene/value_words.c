@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/number.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 /* Two quotes are around the text. */
 #define SHOWN_SIZE (MURK_FOUND_SIZE - 2)

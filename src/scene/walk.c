@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/words.h"
+#include "base/words.h"
 
 #define PLACE_SIZE (MURK_SCENE_WHERE_SIZE - MURK_WALK_KEY_SIZE)
 

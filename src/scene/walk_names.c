@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/words.h"
+#include "base/words.h"
 
 #define MAX_KEYS 64 /* rows of one table that a message lists */
 

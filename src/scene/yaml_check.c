@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/utf8.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 /* A place in a message: a name of at most 120 bytes, escaped, with line and
  * column. */

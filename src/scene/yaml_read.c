@@ -10,7 +10,7 @@
 #include <yaml.h>
 
 #include "base/file.h"
-#include "scene/words.h"
+#include "base/words.h"
 #include "scene/yaml_check.h"
 
 /* Limits against hostile text; scene/yaml.h states them. */

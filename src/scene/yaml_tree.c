@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/number.h"
-#include "scene/words.h"
+#include "base/words.h"
 
 /* Space for escapes and for three dots. */
 #define SHOWN_SIZE (MAX_SOURCE + 32)

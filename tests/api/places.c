@@ -146,6 +146,30 @@ static void check_picture(murk_world *world)
     check_place("false_colour", "", &error);
 }
 
+/* Settings of a context's functions. */
+static void check_context(const given *g)
+{
+    const murk_profile_options wrong = {.size = sizeof wrong, .width_m = -1};
+    const murk_fields *fields = NULL;
+    murk_error width = MURK_ERROR_NONE, name = MURK_ERROR_NONE;
+    murk_error key = MURK_ERROR_NONE, none = MURK_ERROR_NONE;
+    (void)murk_context_profile_grid(g->context, "cast.csv", "cast.vdb", &wrong,
+                                    NULL, &fields, &width);
+    check_place("width_m", "", &width);
+    check(!fields, "width_m", "a grid that failed has fields");
+    (void)murk_context_reference(g->context, "scenery", &fields, &name);
+    check_place("argument name", "", &name);
+    (void)murk_context_reference(g->context, "scene.sensors.cuont", &fields,
+                                 &key);
+    check_place("sensors.cuont", "sensors.cuont", &key);
+    check(!fields, "sensors.cuont", "a key that is unknown has fields");
+    check(murk_context_reference(g->context, NULL, &fields, &none) ==
+                  MURK_BAD_VALUE &&
+              murk_context_reference(g->context, "scene", NULL, NULL) ==
+                  MURK_BAD_VALUE,
+          "reference", "takes NULL");
+}
+
 /* A key of a scene whose picture is asked for from the map that is left out. */
 static void check_key(const given *g)
 {
@@ -184,6 +208,7 @@ int main(void)
     }
     check_settings(&g);
     check_overview(&g);
+    check_context(&g);
     check_key(&g);
     murk_light_destroy(g.light);
     murk_world_destroy(g.world);

@@ -2,8 +2,8 @@
  * Nothing here is random. */
 #include <stdlib.h>
 
+#include "base/words.h"
 #include "check.h"
-#include "scene/words.h"
 #include "scene/yaml.h"
 
 static murk_yaml *parse(const char *text, murk_error *err)

@@ -1,7 +1,7 @@
 /* Words of the user in messages: safe printing, and suggestions for
  * misspelled words. */
-#ifndef MURK_SCENE_WORDS_H
-#define MURK_SCENE_WORDS_H
+#ifndef MURK_BASE_WORDS_H
+#define MURK_BASE_WORDS_H
 
 #include <stddef.h>
 

@@ -1,12 +1,12 @@
-/* The reference of scene keys (app/reference.h). A path is followed through the
+/* The reference of keys (reference/reference.h). A path is followed through the
  * key table, part by part; where a part may be the name of a key or the name of
  * an item, both are tried. The table of the reference (doc/reference) that
  * belongs to a part of the key table is found by the comments above the tables,
  * and a row of it by the name of the key and the values that the key table
  * allows. */
-#include "app/reference.h"
+#include "reference/reference.h"
 
-#include "app/built_in_files.h"
+#include "reference/pages.h"
 #include "scene/value.h"
 
 #include <ctype.h>
@@ -41,12 +41,12 @@ static void append(char path[MURK_REFERENCE_PATH_SIZE], const char *part)
              length ? "." : "", part);
 }
 
-/* Follows the rest of a path from a key (`row` of `table`, NULL: the top level)
- * on. found->path is the path so far. */
+/* Follows the rest of a path from a key on, `row` of `table`; row NULL: from
+ * the top level, `table`. found->path is the path so far. */
 static bool follow(murk_reference_key *found, const murk_keys *table,
                    const murk_key *row, bool in_item, const char *rest)
 {
-    const murk_keys *below = row ? row->keys : &murk_scene_keys;
+    const murk_keys *below = row ? row->keys : table;
     const size_t length = strcspn(rest, "."), so_far = strlen(found->path);
     const char *next = rest + length + (rest[length] == '.');
     /* The end of the path, or keys that the user chooses. */
@@ -77,36 +77,43 @@ static bool follow(murk_reference_key *found, const murk_keys *table,
            follow(found, table, row, true, next);
 }
 
-murk_reference_key murk_reference_find(const char *path)
+murk_reference_key murk_reference_find(const murk_keys *root, const char *path)
 {
-    murk_reference_key found = {.unknown = path, .looked_up = &murk_scene_keys};
-    follow(&found, NULL, NULL, false, path);
+    murk_reference_key found = {.unknown = path, .looked_up = root};
+    (void)follow(&found, root, NULL, false, path);
     return found;
 }
 
+/* Visits the keys of a table at the path `above`. are_settable: all keys above
+ * are maps of one kind. */
 static void visit_below(const murk_keys *keys, const char *above,
-                        murk_reference_visit *visit, void *context)
+                        bool are_settable, murk_reference_visit *visit,
+                        void *context)
 {
-    for (const murk_key *key = keys->key; key->name; ++key) {
-        char path[MURK_REFERENCE_PATH_SIZE];
-        if (murk_keys_find(keys, key->name) != key) {
+    for (const murk_key *row = keys->key; row->name; ++row) {
+        murk_reference_key key = {.table = keys, .row = row};
+        if (murk_keys_find(keys, row->name) != row) {
             continue;
         }
-        snprintf(path, sizeof path, "%s", above);
-        append(path, key->name);
-        visit(context, path);
-        if (key->keys) {
-            if (has_items(key)) {
-                append(path, "*");
+        snprintf(key.path, sizeof key.path, "%s", above);
+        append(key.path, row->name);
+        key.is_settable = are_settable && !row->keys;
+        visit(context, &key);
+        if (row->keys) {
+            if (has_items(row)) {
+                append(key.path, "*");
             }
-            visit_below(key->keys, path, visit, context);
+            visit_below(row->keys, key.path,
+                        are_settable && row->kind == MURK_KEY_MAP, visit,
+                        context);
         }
     }
 }
 
-void murk_reference_visit_all(murk_reference_visit *visit, void *context)
+void murk_reference_visit_all(const murk_keys *root,
+                              murk_reference_visit *visit, void *context)
 {
-    visit_below(&murk_scene_keys, "", visit, context);
+    visit_below(root, "", true, visit, context);
 }
 
 /* ---- tables of the reference ---- */
@@ -123,7 +130,8 @@ static const murk_keys *table_named(const char *path)
     if (strcmp(path, "study") == 0) {
         return &murk_study_keys;
     }
-    const murk_reference_key found = murk_reference_find(path);
+    const murk_reference_key found =
+        murk_reference_find(&murk_scene_keys, path);
     return found.row ? found.row->keys : NULL;
 }
 

@@ -1,7 +1,7 @@
 /* Which word was meant, and how a word of the user is shown. Nothing here is
  * random. */
+#include "base/words.h"
 #include "check.h"
-#include "scene/words.h"
 
 static const char *const KNOWN[] = {
     "albedo", "phase", NULL, "grid", "vdb", "", "z_m", "extinction_per_m"};

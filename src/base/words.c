@@ -1,7 +1,7 @@
 /* Prints words of the user in messages, and finds the word that was meant by
  * the optimal string alignment distance (Damerau, Commun. ACM 7 (1964) 171,
  * doi:10.1145/363958.363994). */
-#include "scene/words.h"
+#include "base/words.h"
 
 #include "base/utf8.h"
 

@@ -2,8 +2,8 @@
  * studies, has a meaning in the tables of the reference as the program has them
  * built in, and paths are followed with and without items. Nothing here is
  * random. */
-#include "app/reference.h"
 #include "check.h"
+#include "reference/reference.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +30,7 @@ static void check_table(const murk_keys *table)
 /* The key that a path leads to. */
 static void check_path(const char *path, const char *found)
 {
-    const murk_reference_key key = murk_reference_find(path);
+    const murk_reference_key key = murk_reference_find(&murk_scene_keys, path);
     CHECK(key.row != NULL);
     CHECK_TEXT(key.path, found);
 }
@@ -58,7 +58,7 @@ static void test_paths(void)
 /* The part of a path that is unknown, and the map in which it was looked up. */
 static void check_unknown(const char *path, const char *part, const char *noun)
 {
-    const murk_reference_key key = murk_reference_find(path);
+    const murk_reference_key key = murk_reference_find(&murk_scene_keys, path);
     CHECK(key.row == NULL);
     CHECK_TEXT(key.unknown, part);
     CHECK_TEXT(key.looked_up ? key.looked_up->noun : "none", noun);
