@@ -21,10 +21,11 @@
  * Directions are unit vectors along the travel of light.
  *
  * Errors: a function that can fail returns a murk_status and fills *error if it
- * is not NULL. Nothing is printed, no signal handler is installed, and no call
- * ends the process. If a call fails, *out is NULL. Any of these functions fails
- * with MURK_BAD_VALUE if an argument is NULL that may not be NULL, and with
- * MURK_NO_MEMORY; the comment of a function says what else it fails with.
+ * is not NULL. Nothing is printed but the progress line that a context may ask
+ * for, no signal handler is installed, and no call ends the process. If a call
+ * fails, *out is NULL. Any of these functions fails with MURK_BAD_VALUE if an
+ * argument is NULL that may not be NULL, and with MURK_NO_MEMORY; the comment
+ * of a function says what else it fails with.
  *
  * Threads: handles of one context are used by one thread at a time; two threads
  * with two contexts do not disturb each other. murk_context_cancel() may be
@@ -182,6 +183,15 @@ typedef enum murk_imports {
                              * much memory ends the process */
 } murk_imports;
 
+/* Whether the library draws the progress of long steps as a line on standard
+ * error, with the steps of subprocesses, of which murk_progress_function is not
+ * told. */
+typedef enum murk_progress_mode {
+    MURK_PROGRESS_NEVER,
+    MURK_PROGRESS_AUTO, /* if standard error is a terminal */
+    MURK_PROGRESS_ALWAYS
+} murk_progress_mode;
+
 typedef struct murk_context_options {
     size_t size;                     /* sizeof(murk_context_options) */
     unsigned threads;                /* 0: one per processor, 256 at most */
@@ -192,6 +202,10 @@ typedef struct murk_context_options {
     const char *reader; /* path of murk-reader; NULL: libmurk0/murk-reader in
                          * the folder of the library; copied; murk-rows lies in
                          * the same folder */
+    murk_progress_mode line;   /* not with `progress` */
+    const char *const *inputs; /* [n_inputs] files that the caller reads: no
+                                * call replaces one of them */
+    size_t n_inputs;
 } murk_context_options;
 
 /* Creates a context, which all other handles are made in; options NULL: zeros.

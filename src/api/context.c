@@ -52,15 +52,40 @@ static murk_status take_options(murk_context *context,
         murk_call_report(error, &failure);
         return status;
     }
+    /* Values of enumerations. */
     if ((unsigned)context->options.imports > MURK_IMPORTS_IN_PROCESS) {
         return murk_call_refuse(error, "options->imports is no value of "
                                        "murk_imports");
     }
+    if ((unsigned)context->options.line > MURK_PROGRESS_ALWAYS ||
+        (context->options.line && context->options.progress)) {
+        return murk_call_refuse(error,
+                                "options->line must be a value of "
+                                "murk_progress_mode, and MURK_PROGRESS_NEVER "
+                                "with options->progress");
+    }
+    /* The path, as a copy. */
     const char *reader = context->options.reader;
     context->reader = reader ? strdup(reader) : NULL;
     return !reader || context->reader
                ? MURK_OK
                : no_memory(error, "for a copy of options->reader");
+}
+
+/* Notes the files that the caller reads; a file that cannot be opened is left
+ * out, since it cannot be replaced by mistake. */
+static murk_status note_inputs(const murk_context_options *options,
+                               murk_error *err)
+{
+    const murk_status status = murk_call_check_texts(
+        err, "options->inputs", options->inputs, options->n_inputs);
+    for (size_t i = 0; i < options->n_inputs && !status; ++i) {
+        FILE *file = murk_inputs_open(options->inputs[i]);
+        if (file) {
+            fclose(file);
+        }
+    }
+    return status;
 }
 
 murk_status murk_context_create(murk_context **out,
@@ -94,8 +119,15 @@ murk_status murk_context_create(murk_context **out,
     murk_call call = murk_call_begin(context, NULL, error);
     murk_inputs_begin();
     murk_log_to(context->options.log, context->options.user);
-    murk_progress_to(context->options.progress ? show_progress : NULL, context);
-    status = murk_pool_allow(context->threads, &call.failure);
+    murk_progress_set(context->options.line);
+    if (context->options.progress) {
+        murk_progress_to(show_progress, context);
+    }
+    status = note_inputs(&context->options, &call.failure);
+    context->options.inputs = NULL; /* the caller's, for this call alone */
+    if (!status) {
+        status = murk_pool_allow(context->threads, &call.failure);
+    }
     if (murk_call_end(&call, status)) {
         murk_context_release(context);
         return status;

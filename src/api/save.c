@@ -56,8 +56,8 @@ murk_status murk_save_set(murk_session *session, const char *folder,
     session->settings.force = all.replaces;
     session->settings.voxel = all.voxel_m;
     session->run.command = all.command;
-    return all.exports ? murk_session_read_exports(&session->settings.exports,
-                                                   all.exports, "exports", err)
+    return all.exports ? murk_exports_read(&session->settings.exports,
+                                           all.exports, "exports", err)
                        : MURK_OK;
 }
 

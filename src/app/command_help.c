@@ -2,7 +2,7 @@
  * gives it. The entry of a map is followed by the keys of the map. */
 #include "app/field.h"
 #include "app/options.h"
-#include "results/summary.h"
+#include "base/print.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -10,11 +10,12 @@
 static const char DEFAULT[] = "room";
 
 #define NAMES_MAX 16 /* more than there are scenes */
+#define NAME_SIZE 64 /* bytes, more than the name of a file of them has */
 
 /* Fails with a message that lists the names of the scenes. */
 static murk_status no_such_scene(const char *name, murk_error *err)
 {
-    char text[NAMES_MAX][MURK_SCENE_NAME_SIZE], list[200] = "", shown[64];
+    char text[NAMES_MAX][NAME_SIZE], list[200] = "", shown[64];
     const char *names[NAMES_MAX];
     size_t n = 0;
     for (size_t i = 0; i < murk_start_files.n && i < NAMES_MAX; ++i) {
@@ -35,7 +36,7 @@ static murk_status no_such_scene(const char *name, murk_error *err)
 murk_status murk_command_init(const murk_options *options, murk_error *err)
 {
     const char *name = options->input ? options->input : DEFAULT;
-    char path[MURK_SCENE_NAME_SIZE];
+    char path[NAME_SIZE];
     snprintf(path, sizeof path, "%s.yaml", name);
     const murk_built_in_file *file =
         murk_built_in_find(&murk_start_files, path);

@@ -5,6 +5,7 @@
 
 #include "app/lookup.h"
 #include "app/option_values.h"
+#include "base/export_kind.h"
 #include "base/number.h"
 #include "base/pool.h"
 #include "base/utf8.h"

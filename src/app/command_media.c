@@ -1,50 +1,17 @@
 /* murk media: lists the presets of media, or prints one of them with the
  * optical properties in each band. The numbers are those of
  * murk_context_preset(). */
+#include "app/field.h"
 #include "app/given.h"
 #include "app/media_profile.h"
 #include "app/show.h"
-#include "results/summary.h"
+#include "base/print.h"
 
-#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define WIDTH     26  /* of names in the list */
-#define PATH_SIZE 128 /* of "words.NAME.default.0" and its like */
-
-/* ---- fields ---- */
-
-/* The path of a field. */
-typedef struct field_path {
-    char text[PATH_SIZE];
-} field_path;
-
-__attribute__((format(printf, 1, 2))) static field_path
-path_of(const char *format, ...)
-{
-    field_path path;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(path.text, sizeof path.text, format, args);
-    va_end(args);
-    return path;
-}
-
-static double number_at(const murk_fields *fields, field_path path)
-{
-    double value = 0;
-    (void)murk_fields_double(fields, path.text, &value, NULL);
-    return value;
-}
-
-/* The text of a field; NULL if it is null. */
-static const char *text_at(const murk_fields *fields, field_path path)
-{
-    const char *text = "";
-    (void)murk_fields_string(fields, path.text, &text, NULL);
-    return text;
-}
+#define WIDTH 26 /* of names in the list */
 
 /* ---- the list ---- */
 
@@ -53,38 +20,41 @@ static void print_list(const murk_fields *f)
     const size_t n = murk_fields_length(f, "presets");
     for (size_t i = 0; i < n; ++i) {
         murk_print("%-*s %5g..%-5g nm  %s\n", WIDTH,
-                   text_at(f, path_of("presets.%zu.name", i)),
-                   number_at(f, path_of("presets.%zu.wavelength_nm.0", i)),
-                   number_at(f, path_of("presets.%zu.wavelength_nm.1", i)),
-                   text_at(f, path_of("presets.%zu.about", i)));
+                   murk_field_text(f, "presets.%zu.name", i),
+                   murk_field_number(f, "presets.%zu.wavelength_nm.0", i),
+                   murk_field_number(f, "presets.%zu.wavelength_nm.1", i),
+                   murk_field_text(f, "presets.%zu.about", i));
     }
 }
 
 /* ---- one preset ---- */
 
-/* Prints a number or a list of numbers. */
-static void print_numbers(const murk_fields *f, field_path path)
+/* Prints a number or a list of numbers: the field `name` of a word. */
+static void print_numbers(const murk_fields *f, const char *word,
+                          const char *name)
 {
-    const size_t n = murk_fields_length(f, path.text);
+    const size_t n = murk_field_length(f, "words.%s.%s", word, name);
     if (n == 0) {
-        murk_print("%.6g", number_at(f, path));
+        murk_print("%.6g", murk_field_number(f, "words.%s.%s", word, name));
         return;
     }
     murk_print("[");
     for (size_t k = 0; k < n; ++k) {
         murk_print("%s%.6g", k ? ", " : "",
-                   number_at(f, path_of("%s.%zu", path.text, k)));
+                   murk_field_number(f, "words.%s.%s.%zu", word, name, k));
     }
     murk_print("]");
 }
 
 /* Prints a value of a word, unless it is null. */
 static void print_value(const murk_fields *f, const char *before,
-                        field_path path)
+                        const char *word, const char *name)
 {
-    if (murk_fields_kind(f, path.text) != MURK_FIELD_ABSENT) {
+    char path[MURK_FIELD_PATH_SIZE];
+    snprintf(path, sizeof path, "words.%s.%s", word, name);
+    if (murk_fields_kind(f, path) != MURK_FIELD_ABSENT) {
         murk_print("%s", before);
-        print_numbers(f, path);
+        print_numbers(f, word, name);
     }
 }
 
@@ -97,12 +67,12 @@ static void print_words(const murk_fields *f)
     for (size_t i = 0; i < n; ++i) {
         const char *name = murk_fields_name(f, "words", i);
         murk_print("  %s: ", name);
-        print_numbers(f, path_of("words.%s.least", name));
+        print_numbers(f, name, "least");
         murk_print(" to ");
-        print_numbers(f, path_of("words.%s.most", name));
-        murk_print(" %s", text_at(f, path_of("words.%s.unit", name)));
-        print_value(f, ", default ", path_of("words.%s.default", name));
-        print_value(f, ", here ", path_of("words.%s.value", name));
+        print_numbers(f, name, "most");
+        murk_print(" %s", murk_field_text(f, "words.%s.unit", name));
+        print_value(f, ", default ", name, "default");
+        print_value(f, ", here ", name, "value");
         murk_print("\n");
     }
 }
@@ -111,13 +81,13 @@ static void print_words(const murk_fields *f)
 static void print_band(const murk_fields *f, size_t i)
 {
     char name[40];
-    if (murk_fields_length(f, path_of("bands.%zu.band_edges_nm", i).text) > 0) {
+    if (murk_field_length(f, "bands.%zu.band_edges_nm", i) > 0) {
         snprintf(name, sizeof name, "%.6g..%.6g",
-                 number_at(f, path_of("bands.%zu.band_edges_nm.0", i)),
-                 number_at(f, path_of("bands.%zu.band_edges_nm.1", i)));
+                 murk_field_number(f, "bands.%zu.band_edges_nm.0", i),
+                 murk_field_number(f, "bands.%zu.band_edges_nm.1", i));
     } else {
         snprintf(name, sizeof name, "%.6g",
-                 number_at(f, path_of("bands.%zu.band_nm", i)));
+                 murk_field_number(f, "bands.%zu.band_nm", i));
     }
     murk_print("%13s", name);
 }
@@ -131,12 +101,12 @@ static void print_bands(const murk_fields *f)
     for (size_t i = 0; i < n; ++i) {
         print_band(f, i);
         murk_print("  %12.6g  %8.6f  %12.6g  %12.6g  %9.4f  %s\n",
-                   number_at(f, path_of("bands.%zu.extinction_per_m", i)),
-                   number_at(f, path_of("bands.%zu.albedo", i)),
-                   number_at(f, path_of("bands.%zu.absorption_per_m", i)),
-                   number_at(f, path_of("bands.%zu.scattering_per_m", i)),
-                   number_at(f, path_of("bands.%zu.mean_cosine", i)),
-                   text_at(f, path_of("bands.%zu.phase", i)));
+                   murk_field_number(f, "bands.%zu.extinction_per_m", i),
+                   murk_field_number(f, "bands.%zu.albedo", i),
+                   murk_field_number(f, "bands.%zu.absorption_per_m", i),
+                   murk_field_number(f, "bands.%zu.scattering_per_m", i),
+                   murk_field_number(f, "bands.%zu.mean_cosine", i),
+                   murk_field_text(f, "bands.%zu.phase", i));
     }
 }
 
@@ -146,26 +116,26 @@ static void print_sources(const murk_fields *f)
     const size_t sources = murk_fields_length(f, "sources"),
                  doubts = murk_fields_length(f, "doubts");
     for (size_t i = 0; i < sources; ++i) {
-        const char *by = text_at(f, path_of("sources.%zu.quoted_by", i));
+        const char *by = murk_field_text(f, "sources.%zu.quoted_by", i);
         murk_print("  %s: %s%s%s%s\n",
-                   text_at(f, path_of("sources.%zu.what", i)),
-                   text_at(f, path_of("sources.%zu.from", i)),
+                   murk_field_text(f, "sources.%zu.what", i),
+                   murk_field_text(f, "sources.%zu.from", i),
                    by ? " (second hand: " : "", by ? by : "", by ? ")" : "");
     }
     if (doubts > 0) {
         murk_print("\ndoubts\n");
     }
     for (size_t i = 0; i < doubts; ++i) {
-        murk_print("  %s\n", text_at(f, path_of("doubts.%zu", i)));
+        murk_print("  %s\n", murk_field_text(f, "doubts.%zu", i));
     }
 }
 
 static void print_one(const murk_fields *f)
 {
-    murk_print("%s: %s\nwavelengths %g..%g nm\n", text_at(f, path_of("preset")),
-               text_at(f, path_of("about")),
-               number_at(f, path_of("wavelength_nm.0")),
-               number_at(f, path_of("wavelength_nm.1")));
+    murk_print("%s: %s\nwavelengths %g..%g nm\n", murk_field_text(f, "preset"),
+               murk_field_text(f, "about"),
+               murk_field_number(f, "wavelength_nm.0"),
+               murk_field_number(f, "wavelength_nm.1"));
     print_words(f);
     print_bands(f);
     print_sources(f);

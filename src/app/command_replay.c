@@ -2,7 +2,7 @@
  * each event. */
 #include "app/given.h"
 #include "app/show.h"
-#include "results/summary.h"
+#include "base/print.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* murk report: one self-contained page of a result folder. */
 #include "app/given.h"
 #include "app/show.h"
-#include "results/summary.h"
+#include "base/print.h"
 
 static double number_of(const murk_fields *page, const char *name)
 {

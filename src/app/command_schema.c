@@ -1,6 +1,6 @@
 /* murk schema: prints the JSON Schema of murk_context_reference(). */
 #include "app/options.h"
-#include "results/summary.h"
+#include "base/print.h"
 
 murk_status murk_command_schema(const murk_options *options, murk_error *err)
 {

@@ -2,8 +2,7 @@
  * prints a summary. */
 #include "app/given.h"
 #include "app/show.h"
-
-#include "results/summary.h"
+#include "base/print.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,11 +1,10 @@
-/* The identity of a result: a hash of the version, the command, the seed, the
- * options that change results, and the scene with the contents of its files,
- * wherever they lie. */
+/* Writes the options that change results as lines of text, which the library
+ * hashes with the scene into the identity. A file is written by its contents,
+ * so that the identity does not depend on its place. */
 #include "app/identity.h"
 
 #include "app/options.h"
 #include "base/file.h"
-#include "results/identity.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,19 +77,6 @@ murk_status murk_identity_alone(char **out, const murk_options *options,
     }
     if (!status && (!to || fclose(to) != 0)) {
         status = no_memory(err);
-    }
-    free(asked);
-    return status;
-}
-
-murk_status murk_identity_scene(char out[65], const murk_options *options,
-                                const murk_scene_desc *scene, murk_error *err)
-{
-    char *asked = NULL;
-    murk_status status = murk_identity_asked(&asked, options, err);
-    if (!status) {
-        status = murk_identity_of(out, options->command->name, asked, scene, "",
-                                  scene->seed, err);
     }
     free(asked);
     return status;

@@ -1,10 +1,9 @@
-/* What results follow from, as one hash: the same for any number of threads,
- * any output folder, and any order of different options. */
+/* What results follow from beside the scene: the same text for any number of
+ * threads, any output folder, and any order of different options. */
 #ifndef MURK_APP_IDENTITY_H
 #define MURK_APP_IDENTITY_H
 
 #include "app/options.h"
-#include "scene/scene.h"
 
 /* *out: the options that results depend on beside the scene, with the contents
  * of files in place of their names, as lines of text; for free(), also after a
@@ -16,11 +15,5 @@ murk_status murk_identity_asked(char **out, const murk_options *options,
  * that has no scene; for free(), also after a failure. */
 murk_status murk_identity_alone(char **out, const murk_options *options,
                                 murk_error *err);
-
-/* SHA-256 over version, command, the text of murk_identity_asked(), and the
- * scene: the keys, the seed, and the contents of the files that the scene
- * names, so that the hash is the same in any folder and on any machine. */
-murk_status murk_identity_scene(char out[65], const murk_options *options,
-                                const murk_scene_desc *scene, murk_error *err);
 
 #endif

@@ -6,7 +6,7 @@
 #include "app/identity.h"
 #include "app/show.h"
 #include "base/number.h"
-#include "results/summary.h"
+#include "base/print.h"
 
 #include <stdlib.h>
 

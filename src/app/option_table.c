@@ -1,7 +1,7 @@
 /* The table of options. The limits refuse typing errors, and values that no
  * machine could compute with. The help states the limits. */
 #include "app/option_values.h"
-#include "render/render.h"
+#include "base/picture_limits.h"
 
 #define MEMBER(member)                    \
     .at = offsetof(murk_options, member), \

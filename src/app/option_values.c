@@ -2,10 +2,10 @@
  * keys. Each checks its value and stores it. */
 #include "app/option_values.h"
 
+#include "base/export_kind.h"
 #include "base/file.h"
-#include "render/render.h"
+#include "base/picture_limits.h"
 #include "results/fit.h"
-#include "results/session.h"
 #include "scene/yaml.h"
 
 #include <math.h>
@@ -45,7 +45,7 @@ murk_status murk_option_override(murk_options *out, const char *key,
     if (text) {
         snprintf(text, size, "%s%s%s", key, *key ? "=" : "", value);
     }
-    murk_override *overrides =
+    murk_given_key *overrides =
         realloc(out->overrides, (out->n_overrides + 1) * sizeof *overrides);
     if (overrides) {
         out->overrides = overrides;
@@ -54,7 +54,7 @@ murk_status murk_option_override(murk_options *out, const char *key,
     if (!owned || !overrides) {
         return no_memory(err);
     }
-    out->overrides[out->n_overrides++] = (murk_override){owned, option};
+    out->overrides[out->n_overrides++] = (murk_given_key){owned, option};
     return MURK_OK;
 }
 
@@ -70,7 +70,7 @@ murk_status murk_option_out(murk_options *out, const char *name,
 murk_status murk_option_exports(murk_options *out, const char *name,
                                 const char *value, murk_error *err)
 {
-    return murk_session_read_exports(&out->exports, value, name, err);
+    return murk_exports_read(&out->exports, value, name, err);
 }
 
 static murk_status take_words(murk_options *out, murk_words_given *words,

@@ -7,10 +7,7 @@
 #ifndef MURK_APP_OPTIONS_H
 #define MURK_APP_OPTIONS_H
 
-#include "base/progress.h"
 #include "base/status.h"
-#include "results/exports.h"
-#include "scene/scene.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -154,6 +151,13 @@ typedef struct murk_section_options {
     double cut_m[3]; /* --cut */
 } murk_section_options;
 
+/* A key of the scene that the command line sets. */
+typedef struct murk_given_key {
+    const char *text;   /* "KEY=VALUE" */
+    const char *option; /* that gave the key, "--seed" or "--set @FILE"; NULL:
+                         * --set KEY=VALUE */
+} murk_given_key;
+
 /* One option as it was given. */
 typedef struct murk_given {
     const murk_option *option;
@@ -182,7 +186,7 @@ struct murk_options {
     bool json, quiet;
     bool force; /* --force */
     murk_progress_mode progress;
-    murk_override *overrides; /* scene keys, in the order given */
+    murk_given_key *overrides; /* in the order given */
     size_t n_overrides;
     murk_given *given; /* [n_given] as they came */
     size_t n_given;

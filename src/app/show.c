@@ -2,11 +2,8 @@
  * summary that `run` holds, then times, memory and the names of the files. */
 #include "app/show.h"
 
-#include "results/summary.h"
-
-#include <stdio.h>
-
-#define PATH_SIZE 64 /* of "run.summary.12" and its like */
+#include "app/field.h"
+#include "base/print.h"
 
 #define SHOWN_S 0.005 /* shorter times would be shown as 0.00 */
 
@@ -15,29 +12,11 @@ bool murk_shows_summary(const murk_options *options)
     return !options->json && !options->quiet;
 }
 
-static double number_of(const murk_fields *fields, const char *path)
-{
-    double value = 0;
-    (void)murk_fields_double(fields, path, &value, NULL);
-    return value;
-}
-
-/* Text i of a list; "" if there is none. */
-static const char *text_of(const murk_fields *fields, const char *list,
-                           size_t i)
-{
-    char path[PATH_SIZE];
-    const char *text = NULL;
-    snprintf(path, sizeof path, "%s.%zu", list, i);
-    (void)murk_fields_string(fields, path, &text, NULL);
-    return text ? text : "";
-}
-
 void murk_show_lines(const murk_fields *saved, const char *list)
 {
     const size_t n = murk_fields_length(saved, list);
     for (size_t i = 0; i < n; ++i) {
-        murk_print("%s", text_of(saved, list, i));
+        murk_print("%s", murk_field_text(saved, "%s.%zu", list, i));
         murk_print("\n");
     }
 }
@@ -64,30 +43,30 @@ void murk_show_times(const murk_fields *saved)
                 {"sense", has_matrix ? "" : "run.seconds.sense"},
                 {"place", "run.seconds.place"},
                 {"matrix", has_matrix ? "run.seconds.sense" : ""}};
-    murk_print("time        %.2f s", number_of(saved, "run.seconds.total"));
+    murk_print("time        %.2f s",
+               murk_field_number(saved, "run.seconds.total"));
     const char *between = ": ";
     for (size_t i = 0; i < sizeof part / sizeof *part; ++i) {
-        const double seconds = number_of(saved, part[i].path);
+        const double seconds = murk_field_number(saved, "%s", part[i].path);
         if (seconds >= SHOWN_S) {
             murk_print("%s%s %.2f", between, part[i].name, seconds);
             between = ", ";
         }
     }
     murk_print("; memory %.2g GB\n",
-               number_of(saved, "run.peak_memory_bytes") / 1e9);
+               murk_field_number(saved, "run.peak_memory_bytes") / 1e9);
 }
 
 static void show_files(const murk_fields *saved)
 {
-    const char *folder = NULL;
-    (void)murk_fields_string(saved, "saved.folder", &folder, NULL);
+    const char *folder = murk_field_text(saved, "saved.folder");
     if (!folder) {
         murk_print("files       none: -o DIR writes them\n");
         return;
     }
     murk_print("files       %s:", folder);
     for (size_t i = murk_fields_length(saved, "saved.files"); i > 0; --i) {
-        murk_print(" %s", text_of(saved, "saved.files", i - 1));
+        murk_print(" %s", murk_field_text(saved, "saved.files.%zu", i - 1));
     }
     murk_print("\n");
 }

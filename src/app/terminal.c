@@ -3,14 +3,14 @@
  * these as options, so the program names the options in place of them. */
 #include "app/terminal.h"
 
-#include "api/handles.h"
 #include "base/file.h"
-#include "base/inputs.h"
 #include "base/log.h"
-#include "scene/yaml.h"
+#include "base/place.h"
 
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define PLACE_SIZE 640  /* of a place with the name of an option */
@@ -29,7 +29,7 @@ static const char *option_of_key(const murk_options *options, const char *key)
 {
     const char *option = NULL;
     for (size_t i = 0; i < options->n_overrides; ++i) {
-        const murk_override *override = &options->overrides[i];
+        const murk_given_key *override = &options->overrides[i];
         if (override->option && strlen(key) == strcspn(override->text, "=") &&
             strncmp(key, override->text, strlen(key)) == 0) {
             option = override->option;
@@ -39,11 +39,11 @@ static const char *option_of_key(const murk_options *options, const char *key)
 }
 
 /* The option that gave the value of a place "KEY=VALUE: KEY", or NULL. */
-static const murk_override *override_of(const murk_options *options,
-                                        const char *place)
+static const murk_given_key *override_of(const murk_options *options,
+                                         const char *place)
 {
     for (size_t i = options->n_overrides; i > 0; --i) {
-        const murk_override *override = &options->overrides[i - 1];
+        const murk_given_key *override = &options->overrides[i - 1];
         const size_t length = strlen(override->text);
         if (override->option && strncmp(place, override->text, length) == 0 &&
             (place[length] == '\0' || place[length] == ':')) {
@@ -85,7 +85,7 @@ static const char *place_of(const murk_options *options, const char *where,
         return where;
     }
     const char *place = where + mark;
-    const murk_override *override = override_of(options, place);
+    const murk_given_key *override = override_of(options, place);
     if (!override) { /* --set KEY=VALUE, or a key alone */
         const char *option = option_of_key(options, place);
         snprintf(out, PLACE_SIZE, "%s%s", option ? "" : "--",
@@ -189,40 +189,43 @@ static void install_handlers(void)
 
 /* ---- the context ---- */
 
-/* Files of keys (--set @FILE) were read before there was a context. They are
- * noted as inputs of the run, so that no result replaces them. */
-static void note_files_of_keys(const murk_options *options)
+/* Lists the files of keys (--set @FILE), which were read before there was a
+ * context, so that no result replaces them. Returns the number of files. */
+static size_t list_files_of_keys(const char **file, const murk_options *options)
 {
+    size_t n = 0;
     for (size_t i = 0; i < options->n_given; ++i) {
         const char *value = options->given[i].value;
-        FILE *file = strcmp(options->given[i].option->name, "--set") == 0 &&
-                             *value == '@'
-                         ? murk_inputs_open(value + 1)
-                         : NULL;
-        if (file) {
-            fclose(file);
+        if (strcmp(options->given[i].option->name, "--set") == 0 &&
+            *value == '@') {
+            file[n++] = value + 1;
         }
     }
+    return n;
 }
 
 murk_status murk_terminal_begin(murk_options *options, murk_error *err)
 {
-    const murk_context_options settings = {.size = sizeof settings,
-                                           .threads = options->threads,
-                                           .log = tell,
-                                           .user = options,
-                                           .imports = MURK_IMPORTS_FORK};
+    const char **file = calloc(options->n_given + 1, sizeof *file);
+    if (!file) {
+        return murk_no_memory(err, "", "for the options");
+    }
+    const murk_context_options settings = {
+        .size = sizeof settings,
+        .threads = options->threads,
+        .log = tell,
+        .user = options,
+        .imports = MURK_IMPORTS_FORK,
+        .line = options->quiet ? MURK_PROGRESS_NEVER : options->progress,
+        .inputs = file,
+        .n_inputs = list_files_of_keys(file, options)};
     const murk_status status =
         murk_context_create(&options->context, &settings, err);
+    free(file);
     if (status) {
         return status;
     }
     atomic_store(&running, options->context);
     install_handlers();
-    /* Commands that call the rooms themselves do so for the same host, whose
-     * progress line is drawn on the terminal, also by subprocesses. */
-    (void)murk_host_enter(options->context->host);
-    murk_progress_set(options->quiet ? MURK_PROGRESS_NEVER : options->progress);
-    note_files_of_keys(options);
     return MURK_OK;
 }

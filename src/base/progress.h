@@ -14,14 +14,9 @@
 #define MURK_BASE_PROGRESS_H
 
 #include "base/progress_line.h"
+#include "murk.h"
 
 #include <stdint.h>
-
-typedef enum murk_progress_mode {
-    MURK_PROGRESS_NEVER,
-    MURK_PROGRESS_AUTO, /* if standard error is a terminal */
-    MURK_PROGRESS_ALWAYS
-} murk_progress_mode;
 
 /* The mode of a new process is NEVER. Set the mode before any thread starts. */
 void murk_progress_set(murk_progress_mode mode);

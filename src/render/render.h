@@ -12,14 +12,9 @@
 #ifndef MURK_RENDER_RENDER_H
 #define MURK_RENDER_RENDER_H
 
+#include "base/picture_limits.h"
 #include "render/camera.h"
 #include "render/sample.h"
-
-/* Largest number of pixels of a picture: 256 MiB for each channel. */
-#define MURK_PIXELS_MAX (UINT64_C(1) << 26)
-/* Largest number of samples of a pixel; the error of a mean is then 0.4 % of
- * the error of a sample. */
-#define MURK_SAMPLES_MAX 65536
 
 /* The input of a rendering. */
 typedef struct murk_render {

@@ -8,11 +8,6 @@
 #include "results/session.h"
 #include "sparse/matrix.h"
 
-/* The exports that only murk place writes, with a scene or a matrix; all others
- * need a scene. */
-#define MURK_EXPORTS_OF_PROBLEM \
-    (MURK_EXPORT_MATRIX | MURK_EXPORT_OR_LIBRARY | MURK_EXPORT_LP)
-
 /* Adds the files of the problem that `exports` (murk_export bits) asks for:
  * matrix.csv, matrix.txt, problem.lp. If a file cannot be made (too large, or
  * not a 0/1 matrix for OR-Library), *late has the first reason, and the others

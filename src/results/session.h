@@ -3,21 +3,12 @@
 #ifndef MURK_RESULTS_SESSION_H
 #define MURK_RESULTS_SESSION_H
 
+#include "base/export_kind.h"
 #include "plan/plan.h"
 #include "results/json.h"
 #include "results/ledger.h"
 #include "results/results.h"
 #include "results/summary.h"
-
-/* What --export writes. */
-typedef enum murk_export {
-    MURK_EXPORT_MATRIX = 1,
-    MURK_EXPORT_OR_LIBRARY = 2,
-    MURK_EXPORT_LP = 4,
-    MURK_EXPORT_FIELDS = 8,
-    MURK_EXPORT_PHOTONS = 16,
-    MURK_EXPORT_SURFACES = 32
-} murk_export;
 
 typedef struct murk_session_settings {
     const char *folder; /* of the results; NULL: nothing is written */
@@ -44,11 +35,6 @@ typedef struct murk_session {
     char *document; /* text of the main JSON, for cJSON_free(); NULL before it
                        is made */
 } murk_session;
-
-/* Reads the names of exports, with commas between them, and adds their
- * murk_export bits to *out. where: the name of the setting, for messages. */
-murk_status murk_session_read_exports(unsigned *out, const char *words,
-                                      const char *where, murk_error *err);
 
 void murk_session_end(murk_session *session);
 

@@ -9,6 +9,7 @@
 #ifndef MURK_SCENE_YAML_H
 #define MURK_SCENE_YAML_H
 
+#include "base/place.h"
 #include "base/status.h"
 
 #include <stdbool.h>
@@ -69,10 +70,6 @@ bool murk_yaml_put(murk_yaml *map, const char *key, murk_yaml *child);
 void murk_yaml_remove(murk_yaml *map, const char *key);
 void murk_yaml_clear(murk_yaml *node); /* removes all children and the text */
 bool murk_yaml_set_text(murk_yaml *scalar, const char *text);
-
-/* How the source of a value begins that a call of the library sets: "set
- * KEY=VALUE". */
-#define MURK_SET_MARK "set "
 
 /* True if a source is no file but an option of the command line, which begins
  * with "--", or a call of the library, which begins with MURK_SET_MARK. Paths

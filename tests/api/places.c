@@ -168,6 +168,18 @@ static void check_context(const given *g)
               murk_context_reference(g->context, "scene", NULL, NULL) ==
                   MURK_BAD_VALUE,
           "reference", "takes NULL");
+    /* Options of a context that name no file, and two ways of progress. */
+    const murk_context_options no_file = {.size = sizeof no_file,
+                                          .n_inputs = 1};
+    const murk_context_options no_mode = {.size = sizeof no_mode,
+                                          .line = (murk_progress_mode)3};
+    murk_context *refused = NULL;
+    murk_error inputs = MURK_ERROR_NONE;
+    (void)murk_context_create(&refused, &no_file, &inputs);
+    check_place("argument options->inputs", "", &inputs);
+    check(!refused &&
+              murk_context_create(&refused, &no_mode, NULL) == MURK_BAD_VALUE,
+          "context", "takes wrong options");
 }
 
 /* A key of a scene whose picture is asked for from the map that is left out. */

@@ -1,6 +1,7 @@
 /* Options as people type them: which are taken, with which limits, and which
  * are refused. Nothing here is random. */
 #include "app/command_line.h"
+#include "base/export_kind.h"
 #include "check.h"
 
 #include <stdlib.h>
