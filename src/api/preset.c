@@ -305,8 +305,11 @@ murk_status murk_context_preset(murk_context *context, const char *name,
     }
     const request asked = {name, key, value, n};
     murk_call call = murk_call_begin(context, NULL, error);
-    const murk_status status = murk_call_end_long(
-        &call, describe(&context->preset, &asked, options, &call.failure));
+    murk_status status = murk_save_check_options(options, &call.failure);
+    if (!status) {
+        status = describe(&context->preset, &asked, options, &call.failure);
+    }
+    status = murk_call_end_long(&call, status);
     *fields = status ? NULL : &context->preset;
     return status;
 }

@@ -104,9 +104,12 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
     murk_call call = murk_call_begin(context, NULL, error);
     char *path = page ? strdup(page) : murk_path_join(folder, "report.html");
     murk_status status =
-        path ? write_page(&context->reported, folder, path, options,
-                          &call.failure)
+        path ? murk_save_check_options(options, &call.failure)
              : murk_no_memory(&call.failure, "", "for the page");
+    if (!status) {
+        status = write_page(&context->reported, folder, path, options,
+                            &call.failure);
+    }
     free(path);
     status = murk_call_end_long(&call, status);
     if (fields) {

@@ -44,6 +44,13 @@ murk_save_options murk_save_known(const murk_save_options *options)
     return all;
 }
 
+murk_status murk_save_check_options(const murk_save_options *options,
+                                    murk_error *err)
+{
+    murk_save_options all;
+    return copy_options(&all, options, err);
+}
+
 murk_status murk_save_set(murk_session *session, const char *folder,
                           const murk_save_options *options, murk_error *err)
 {

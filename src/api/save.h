@@ -13,6 +13,10 @@ murk_session murk_world_session(const murk_world *world);
  * zeros. */
 murk_save_options murk_save_known(const murk_save_options *options);
 
+/* Fails as murk_save_set() if the struct of options is refused. */
+murk_status murk_save_check_options(const murk_save_options *options,
+                                    murk_error *err);
+
 /* Takes the options of the caller into the settings of a session; NULL: none.
  * The session borrows `folder` and the texts of the options. Fails with
  * MURK_BAD_VALUE if there is no such export, and as murk_options_copy(). */

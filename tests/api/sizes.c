@@ -61,6 +61,22 @@ static murk_status take_save_options(const given *g, void *of,
     return status;
 }
 
+static murk_status take_preset_options(const given *g, void *of,
+                                       murk_error *error)
+{
+    const murk_fields *fields = NULL;
+    return murk_context_preset(g->context, NULL, NULL, NULL, 0, of, &fields,
+                               error);
+}
+
+static murk_status take_page_options(const given *g, void *of,
+                                     murk_error *error)
+{
+    const murk_status status = murk_context_write_report(
+        g->context, "no-such-folder", NULL, of, NULL, error);
+    return status == MURK_BAD_FILE ? MURK_OK : status;
+}
+
 static murk_status take_check_options(const given *g, void *of,
                                       murk_error *error)
 {
@@ -175,6 +191,10 @@ static const struct {
 } rows[] = {{"murk_context_options", take_context_options, &of_context,
              sizeof of_context, sizeof(size_t), false},
             {"murk_save_options", take_save_options, &of_save, sizeof of_save,
+             sizeof(size_t), false},
+            {"murk_save_options", take_preset_options, &of_save, sizeof of_save,
+             sizeof(size_t), false},
+            {"murk_save_options", take_page_options, &of_save, sizeof of_save,
              sizeof(size_t), false},
             {"murk_check_options", take_check_options, &of_check,
              sizeof of_check, sizeof(size_t), false},
