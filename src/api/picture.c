@@ -95,10 +95,10 @@ murk_status murk_picture_render(murk_picture **out, murk_world *world,
     status = murk_call_end_long(&call, status);
     if (status) {
         murk_picture_destroy(picture);
-        return status;
+        picture = NULL;
     }
     *out = picture;
-    return MURK_OK;
+    return status;
 }
 
 void murk_picture_destroy(murk_picture *picture)
