@@ -159,7 +159,7 @@ murk_status murk_slope_noise_offset(double *offset,
     double *singular = scratch, *step = scratch + n,
            *direction = scratch + 2 * n;
     size_t rank;
-    /* step = (J^T J)^-1 b, direction by direction. */
+    /* step = -(J^T J)^-1 b, direction by direction. */
     const murk_status status =
         split(singular, direction, &rank, jacobian, rows, n, err);
     for (size_t r = 0; r < rank && !status; ++r) {
@@ -169,7 +169,7 @@ murk_status murk_slope_noise_offset(double *offset,
             along += v[k] * noise->bias[k];
         }
         for (size_t k = 0; k < n; ++k) {
-            step[k] += v[k] * along / (singular[r] * singular[r]);
+            step[k] -= v[k] * along / (singular[r] * singular[r]);
         }
     }
     /* offset = J step. */

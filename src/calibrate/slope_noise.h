@@ -14,10 +14,13 @@
  * If photons are most of the noise, both nearly cancel. All of these terms are
  * estimated from runs of photons.
  *
- * The correction: rows are offset by d with J^T W d = b, the difference of both
- * effects. The information is A = J^T W J - N, and the covariance is A^-1 (A +
- * (1 + phi) N) A^-1; phi, the share of photons in all noise of the rows, bounds
- * the effect of the correlation of values and slopes. */
+ * The correction: with R = -J the slopes of the residuals r = y - f, the mean
+ * of R^T W r at the true parameters is b, the difference of both effects. So
+ * residuals are offset by d with R^T W d = -b, and the search, which ends where
+ * R^T W (r + d) = 0, ends where R^T W r = b. The information is A = J^T W J -
+ * N, and the covariance is A^-1 (A + (1 + phi) N) A^-1; phi, the share of
+ * photons in all noise of the rows, bounds the effect of the correlation of
+ * values and slopes. */
 #ifndef MURK_CALIBRATE_SLOPE_NOISE_H
 #define MURK_CALIBRATE_SLOPE_NOISE_H
 
@@ -44,8 +47,8 @@ murk_status murk_slope_noise_find(murk_slope_noise *out,
                                   murk_error *err);
 void murk_slope_noise_release(murk_slope_noise *noise);
 
-/* Computes the offset d[n_fitted] of the whitened residuals, with J^T d = b as
- * far as J has that direction. jacobian[rows][n] is whitened; rows is the
+/* Computes the offset d[n_fitted] of the whitened residuals, with R^T d = -b as
+ * far as R has that direction. jacobian[rows][n] is R, whitened; rows is the
  * number of fitted rows. */
 murk_status murk_slope_noise_offset(double *offset,
                                     const murk_slope_noise *noise,

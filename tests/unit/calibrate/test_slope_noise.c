@@ -93,8 +93,31 @@ static void test_offset_moves_rows_by_the_bias(void)
         for (size_t i = 0; i < ROWS; ++i) {
             sum += jacobian[i * N + k] * offset[i];
         }
-        CHECK_NEAR(sum, bias[k], 1e-12);
+        CHECK_NEAR(sum, -bias[k], 1e-12);
     }
+}
+
+/* The search ends where J^T (residual + offset) = 0. There no step of the
+ * corrected equations is left, so both corrections have one sign: residuals
+ * that are minus the offset are such an end. */
+static void test_no_step_is_left_at_the_offset(void)
+{
+    double jacobian[ROWS * N], offset[ROWS] = {0}, residual[ROWS];
+    double bias[N] = {.7, -.3}, none[N * N] = {0}, step[N], length;
+    make_jacobian(jacobian);
+    const murk_slope_noise noise = noise_of(bias, none, 0);
+    murk_error err = {0};
+    CHECK(!murk_slope_noise_offset(offset, &noise, jacobian, ROWS, N, &err));
+    for (size_t i = 0; i < ROWS; ++i) {
+        residual[i] = -offset[i];
+    }
+    CHECK(!murk_slope_noise_step(step, &length, &noise, residual, jacobian,
+                                 ROWS, N, &err));
+    CHECK_NEAR(length, 0, 1e-12);
+    /* the offset of the other sign would leave a step of this length */
+    CHECK(!murk_slope_noise_step(step, &length, &noise, offset, jacobian, ROWS,
+                                 N, &err));
+    CHECK(length > .01);
 }
 
 /* A^-1 (A + (1 + phi) N) A^-1, with A = J^T J - N: written out. */
@@ -256,6 +279,7 @@ int main(void)
 {
     test_bias_of_a_run();
     test_offset_moves_rows_by_the_bias();
+    test_no_step_is_left_at_the_offset();
     test_information_is_the_sandwich();
     test_noise_alone_tells_nothing();
     test_noise_without_end_is_refused();
