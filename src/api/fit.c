@@ -175,9 +175,8 @@ static murk_status make(murk_fit *f, murk_scene *scene, const char *data,
     ++scene->references;
     murk_fit_options options = {0};
     const unsigned threads = f->scene->context->threads;
-    f->session = (murk_session){.settings.threads = threads,
-                                .settings.is_quiet = true,
-                                .run.threads = threads};
+    f->session =
+        (murk_session){.settings.threads = threads, .run.threads = threads};
     /* Check the options and the list of keys, which needs no scene. */
     murk_status status =
         murk_options_copy(&options, sizeof options, given, "options",

@@ -203,7 +203,6 @@ murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
         plan->matrix = p;
         p->file = file;
         p->session = (murk_session){.settings.threads = scene->context->threads,
-                                    .settings.is_quiet = true,
                                     .run.threads = scene->context->threads,
                                     .begun_s = murk_clock_s()};
         status = make(p, scene, folder, options, &call.failure);

@@ -20,7 +20,6 @@
 murk_session murk_world_session(const murk_world *world)
 {
     return (murk_session){.settings.threads = world->context->threads,
-                          .settings.is_quiet = true,
                           .run.threads = world->context->threads,
                           .run.load_s = world->load_s,
                           .scene = world->desc,

@@ -107,7 +107,6 @@ static murk_status read_study(murk_study *study, const char *path,
     }
     const unsigned threads = study->context->threads;
     study->session = (murk_session){.settings.threads = threads,
-                                    .settings.is_quiet = true,
                                     .run.threads = threads,
                                     .begun_s = murk_clock_s()};
     status = take_options(study, &options, err);

@@ -184,21 +184,10 @@ murk_status murk_session_finish(murk_session *session, const char *name,
     if (!status) {
         status = murk_results_show(&session->results, err);
     }
-    /* Print after the files are in place. */
-    if (!status && session->settings.prints_json) {
-        murk_print_json(text);
-    } else if (!status && murk_session_speaks(session)) {
-        murk_print_lines(summary);
-    }
     cJSON_free(session->document);
     session->document = text;
     cJSON_Delete(summary);
     return status;
-}
-
-bool murk_session_speaks(const murk_session *session)
-{
-    return !session->settings.prints_json && !session->settings.is_quiet;
 }
 
 void murk_print_light(const murk_session *session)
@@ -221,26 +210,4 @@ void murk_print_light(const murk_session *session)
                percent * murk_ledger_watts(t, t->ledger->absorbed_media),
                percent * murk_ledger_watts(t, t->ledger->escaped),
                percent * murk_ledger_watts(t, t->ledger->lost));
-}
-
-static void print_files(const murk_results *r)
-{
-    if (!r->folder) {
-        murk_print("files       none: -o DIR writes them\n");
-        return;
-    }
-    murk_print("files       %s:", r->folder);
-    for (size_t i = r->n; i > 0; --i) {
-        murk_print(" %s", murk_path_name(r->file[i - 1].path));
-    }
-    murk_print("\n");
-}
-
-void murk_print_run(const murk_session *session, const char *other,
-                    double other_s)
-{
-    if (murk_session_speaks(session)) {
-        murk_print_time(&session->run, other, other_s);
-        print_files(&session->results);
-    }
 }

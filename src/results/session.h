@@ -20,7 +20,6 @@ typedef struct murk_session_settings {
                           not given */
     const char *light; /* file that the light is read from; NULL: it is
                           traced */
-    bool prints_json, is_quiet;
 } murk_session_settings;
 
 typedef struct murk_session {
@@ -64,24 +63,15 @@ murk_status murk_session_add_ledger(murk_session *session, const char *name,
 
 /* Completes the JSON with identity, `files` and `run`, adds it as the main JSON
  * `name` (NULL: it is not added), and moves all files into place
- * (murk_results_show()). Then prints the JSON with --format json, else, unless
- * quiet, the summary. print(of) prints the summary, which also becomes
- * run.summary; print NULL: there is none. session->document becomes the text of
- * the JSON, also after a failure to write it. Deletes root in any case. */
+ * (murk_results_show()). print(of) prints the summary, whose lines become
+ * run.summary and are not shown; print NULL: there is none. session->document
+ * becomes the text of the JSON, also after a failure to write it. Deletes root
+ * in any case. */
 murk_status murk_session_finish(murk_session *session, const char *name,
                                 cJSON *root, murk_print_results *print,
                                 const void *of, murk_error *err);
 
-/* True if the summary is to be printed: not JSON, and not quiet. */
-bool murk_session_speaks(const murk_session *session);
-
 /* Prints the lines about the light, which several summaries have. */
 void murk_print_light(const murk_session *session);
-
-/* Prints the lines after a summary that are not part of the results: times,
- * memory and files. other is the name of a further part of the time, of other_s
- * seconds; NULL: none. Prints nothing if no summary is printed. */
-void murk_print_run(const murk_session *session, const char *other,
-                    double other_s);
 
 #endif

@@ -16,14 +16,6 @@ cJSON *murk_print_collect(murk_print_results *print, const void *of)
     return list;
 }
 
-void murk_print_lines(const cJSON *list)
-{
-    for (const cJSON *line = list ? list->child : NULL; line;
-         line = line->next) {
-        murk_print_line(line->valuestring);
-    }
-}
-
 void murk_print_time(const murk_run_facts *run, const char *other,
                      double other_s)
 {

@@ -13,9 +13,6 @@
  * which is NULL when out of memory. */
 cJSON *murk_print_collect(murk_print_results *print, const void *of);
 
-/* Shows lines that were collected. */
-void murk_print_lines(const cJSON *lines);
-
 /* Prints "time 4.70 s: load 0.07, trace 0.01; memory 0.05 GB", without parts of
  * less than 0.005 s. other: name of a further part, of other_s seconds; NULL:
  * none. */
