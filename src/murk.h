@@ -408,7 +408,8 @@ const char *murk_fields_json(const murk_fields *fields);
 typedef struct murk_save_options {
     size_t size;         /* sizeof(murk_save_options) */
     const char *exports; /* words with commas between: fields, photons,
-                          * surfaces; of a plan also matrix, or-library, lp */
+                          * surfaces; of a plan also matrix, or-library, lp;
+                          * studies and fits refuse it and voxel_m */
     const char *voxel_m; /* largest edge of exported voxels and of pieces of
                           * surfaces [m], "0.5"; NULL: some 100,000 voxels, and
                           * pieces of some five photons */
@@ -526,6 +527,17 @@ murk_status murk_context_profile_grid(murk_context *context, const char *csv,
  * The fields are valid until the next call of this function with the context.
  * Fails with MURK_BAD_VALUE if there is no such name or key. */
 murk_status murk_context_reference(murk_context *context, const char *name,
+                                   const murk_fields **fields,
+                                   murk_error *error);
+
+/* *fields: the keys in a file of lines KEY: VALUE, such as calibrated.yaml of a
+ * fit: `keys`, in the order of the file, of each `key` and `value`, as
+ * murk_scene_set() and murk_study_options take them. If the data refused the
+ * model of the fit, the log gets a warning. Whether a scene has such keys is
+ * not checked. The fields are valid until the next call of this function with
+ * the context. Fails with MURK_BAD_FILE if the file cannot be read or is not
+ * such a map, and with MURK_BAD_VALUE if a value is not a number or a word. */
+murk_status murk_context_read_keys(murk_context *context, const char *path,
                                    const murk_fields **fields,
                                    murk_error *error);
 
@@ -1045,12 +1057,6 @@ void murk_picture_destroy(murk_picture *picture);
  * with MURK_BAD_VALUE if the picture has no such channel. */
 murk_status murk_picture_array(const murk_picture *picture, const char *channel,
                                murk_array *view, murk_error *error);
-
-/* Writes an OpenEXR file. Fails with MURK_BAD_VALUE if there is a file at
- * `path` that murk did not write, and with MURK_RUN_FAILED if the file cannot
- * be written. */
-murk_status murk_picture_write(const murk_picture *picture, const char *path,
-                               murk_error *error);
 
 typedef enum murk_colour_scale {
     MURK_SCALE_AUTO, /* logarithmic for radiances and their errors unless the

@@ -18,11 +18,11 @@ from ._library import lib as _lib
 from ._library import string as _string
 from ._picture import Picture
 from ._plan import Coverage, Plan
-from ._results import Result, Study, reference, report, study
+from ._results import Result, Study, read_keys, reference, report, study
 from ._scene import Fit, Scene
 
 __all__ = ["Scene", "World", "Light", "Batch", "Tally", "Coverage", "Plan", "Picture", "Study", "Fit", "Result", "Context",
-           "Error", "Interrupted", "study", "report", "reference", "version"]
+           "Error", "Interrupted", "study", "report", "reference", "read_keys", "version"]
 
 
 def version() -> str:

@@ -375,15 +375,19 @@ class Light:
         """
         return Coverage(self, sensors)
 
-    def render(self, camera: str | None = None, method: str = "maps") -> Picture:
+    def render(self, camera: str | None = None, method: str = "maps", sensors: Sensors | None = None,
+               from_sensor: int = 0, pixels: Sequence[int] | None = None, samples: int = 0) -> Picture:
         """Renders the picture of a camera of the scene, the first one by default: Picture.
 
         method: "maps" (shadow rays, density estimate of later records), "paths" (path tracing) or "maps-only"
-        (density estimate of all records). Raises Error if there is no such camera or method.
+        (density estimate of all records). sensors, as in `sense()`: the picture gets the channels of their coverage.
+        from_sensor: the view of that one of the sensors, from 1 on, in place of a camera. pixels: width and height;
+        samples: of each pixel; by default those of the camera. Raises Error if there is no such camera, sensor or
+        method.
 
         Example: `light.render("gate").radiance[0]`.
         """
-        return Picture(self, camera, method)
+        return Picture(self.world, self, camera, method, sensors, from_sensor, pixels, samples)
 
     def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
         """Writes the files of `murk trace` to a folder: light.murk, ledger.json, tallies. Arguments: `Plan.save()`.

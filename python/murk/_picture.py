@@ -1,26 +1,35 @@
 """Rendered pictures as arrays."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy
 from numpy.typing import NDArray
 
 from ._library import Error, Path, as_numpy, c_text, call, call_long, ffi, lib, new_view
-from ._results import handle_of, restored
+from ._plan import new_sensors
+from ._results import Result, handle_of, restored, result_in
 
 if TYPE_CHECKING:
-    from ._light import Light
+    from ._light import Light, World
+    from ._scene import Sensors
 
 _METHODS = {"maps": lib.MURK_METHOD_MAPS, "paths": lib.MURK_METHOD_PATHS, "maps-only": lib.MURK_METHOD_MAPS_ONLY}
+_SCALES = {"auto": lib.MURK_SCALE_AUTO, "linear": lib.MURK_SCALE_LINEAR, "log": lib.MURK_SCALE_LOG}
 # Channels of murk_picture_array() with a part for each band.
 _OF_BANDS = ("radiance", "error", "surface", "volume", "depth")
+
+
+def _code(name: str, codes: dict[str, int], argument: str) -> int:
+    if name not in codes:
+        raise Error(f"{name!r}, must be one of {', '.join(codes)}", where=f"argument {argument}")
+    return codes[name]
 
 
 class Picture:
     """A rendered picture as float32 arrays, rows from the top.
 
-    A picture pickles with its channels; the pickled picture has no handle, so that it cannot be written.
+    A picture pickles with its channels; the pickled picture has no handle, so that it cannot be saved.
     Source: `murk render`.
 
     Example: `picture = light.render("gate")`.
@@ -29,17 +38,22 @@ class Picture:
     context: Any = None  # of a pickled picture
     c: Any = None
 
-    def __init__(self, light: Light, camera: str | None = None, method: str = "maps") -> None:
-        if method not in _METHODS:
-            raise Error(f"{method!r}, must be one of {', '.join(_METHODS)}", where="argument method")
-        self.light = light
-        self.context = light.context
-        self.bands = len(light.world.bands_nm)
+    def __init__(self, world: World, light: Light | None = None, camera: str | None = None, method: str = "maps",
+                 sensors: Sensors | None = None, from_sensor: int = 0, pixels: Sequence[int] | None = None,
+                 samples: int = 0) -> None:
+        self.world = world
+        self.context = world.context
+        self.bands = len(world.bands_nm)
         out = ffi.new("murk_picture **")
-        name = c_text(camera)  # lives as long as the call
-        options = ffi.new("murk_picture_options *", {"size": ffi.sizeof("murk_picture_options"), "camera": name,
-                                                     "method": _METHODS[method]})
-        call_long(self.context, lib.murk_picture_render, out, handle_of(light.world), handle_of(light), options)
+        # Text and sensors live as long as the call.
+        name, placed = c_text(camera), ffi.NULL if sensors is None else new_sensors(world, sensors)
+        width, height = (0, 0) if pixels is None else pixels
+        options = ffi.new("murk_picture_options *",
+                          {"size": ffi.sizeof("murk_picture_options"), "camera": name, "sensors": placed,
+                           "method": _code(method, _METHODS, "method"), "from_sensor": from_sensor, "width": width,
+                           "height": height, "samples": samples})
+        call_long(self.context, lib.murk_picture_render, out, world.c, ffi.NULL if light is None else handle_of(light),
+                  options)
         self.c = ffi.gc(out[0], lib.murk_picture_destroy)
         self._channels: dict[str, NDArray[Any]] = {}  # those of a pickled picture
 
@@ -47,7 +61,8 @@ class Picture:
         channels = self._channels
         if self.c is not None:
             names = ["distance_m", *(f"{name}.{band}" for name in _OF_BANDS for band in range(self.bands)),
-                     *(f"{name}.{k}" for name in ("rgb", "rgb_error", "position_m") for k in range(3))]
+                     *(f"{name}.{k}" for name in ("rgb", "rgb_error", "position_m") for k in range(3)),
+                     "coverage.count", "coverage.clarity"]
             for name in names:
                 try:
                     channels[name] = self.array(name)
@@ -60,7 +75,8 @@ class Picture:
 
         "distance_m"; of band b "radiance.b", "error.b" (its standard error), "surface.b" and "volume.b" (parts of the
         radiance) [W/m2/sr], "depth.b" (optical depth); "rgb.0" to "rgb.2", "rgb_error.0" to "rgb_error.2";
-        "position_m.0" to "position_m.2" [m]. Raises Error if the picture has no such channel.
+        "position_m.0" to "position_m.2" [m]; with sensors "coverage.count" (how many see the surface of the pixel) and
+        "coverage.clarity" (the largest clarity of their views, 0 to 1). Raises Error if the picture has no such channel.
 
         Example: `picture.array("volume.0")`.
         """
@@ -105,9 +121,27 @@ class Picture:
         """
         return self.array("distance_m")
 
-    def write(self, path: Path) -> None:
-        """Writes an OpenEXR file; a file that murk did not write is not replaced. Raises Error.
+    def save(self, path: Path | None = None, png: bool = False, exposure_stops: float | None = None,
+             false_colour: str | None = None, value_range: Sequence[float] | None = None, scale: str = "auto",
+             replace: bool = False) -> Result:
+        """Writes an OpenEXR file, and PNG files beside it, and returns the fields of `murk render --format json`.
 
-        Example: `picture.write("gate.exr")`.
+        path: NAME.exr; None: no file is written. png: also NAME.png, the picture for the eye, 2^exposure_stops times as
+        bright as the radiance; None: by the picture. false_colour: also NAME-CHANNEL.png, a channel of the OpenEXR file
+        ("radiance.550nm", of one band "radiance", "Z", "coverage.count") in colours from the first to the second value
+        of value_range (None: by the picture), on a "linear" or "log" scale ("auto": logarithmic for radiances).
+        replace: also files that murk did not write. Raises Error, and then no file is half written.
+
+        Example: `picture.save("gate.exr", png=True).mean_radiance`.
         """
-        call_long(self.context, lib.murk_picture_write, handle_of(self), c_text(path))
+        kept, channel = c_text(path), c_text(false_colour)  # live as long as the call
+        low, high = (0.0, 0.0) if value_range is None else value_range
+        images = ffi.new("murk_image_options *",
+                         {"size": ffi.sizeof("murk_image_options"), "png": png, "false_colour": channel,
+                          "has_exposure": exposure_stops is not None, "exposure_stops": exposure_stops or 0.0,
+                          "has_range": value_range is not None, "range": [low, high],
+                          "scale": _code(scale, _SCALES, "scale")})
+        saving = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "replaces": replace})
+        fields = ffi.new("const murk_fields **")
+        call_long(self.context, lib.murk_picture_save, handle_of(self), kept, images, saving, fields)
+        return result_in(fields)

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from ._scene import Sensors
 
 
-def _sensors(world: World, sensors: Sensors) -> Any:
+def new_sensors(world: World, sensors: Sensors) -> Any:
+    """A list of sensors of the library, from dicts or from a file; released with the Python object."""
     out = ffi.new("murk_sensors **")
     if isinstance(sensors, (str, os.PathLike)):
         call(lib.murk_sensors_read, out, world.c, c_text(sensors))
@@ -51,7 +52,7 @@ class Coverage(Fielded):
         self.context = light.context
         out = ffi.new("murk_coverage **")
         handle_of(light)
-        call_long(self.context, lib.murk_coverage_measure, out, light.c, _sensors(light.world, sensors))
+        call_long(self.context, lib.murk_coverage_measure, out, light.c, new_sensors(light.world, sensors))
         self.c = ffi.gc(out[0], lib.murk_coverage_destroy)
         self.result = result_of(lib.murk_coverage_fields, self.c)
 

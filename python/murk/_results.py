@@ -7,7 +7,7 @@ import tempfile
 from typing import Any, Mapping, Sequence
 
 from ._context import Context, default_context
-from ._library import Error, Path, c_text, call, call_long, ffi, lib, string
+from ._library import Error, Path, c_text, call, call_in, call_long, ffi, lib, string
 
 
 class Result(dict):  # type: ignore[type-arg]
@@ -121,6 +121,30 @@ def reference(name: str = "scene", context: Context | None = None) -> Result:
     return result_in(fields)
 
 
+def read_keys(path: Path, context: Context | None = None) -> dict[str, int | float | str]:
+    """The keys in a file of lines KEY: VALUE, such as calibrated.yaml of a fit: a dict for a scene or a study.
+
+    Warns if the data refused the model of the fit. Raises Error if the file cannot be read or is not such a map.
+    Source: `--set @FILE` of the program.
+
+    Example: `scene = murk.Scene(file="yard.yaml", **murk.read_keys("out/calibrated.yaml"))`.
+    """
+    context = context or default_context()
+    fields = ffi.new("const murk_fields **")
+    call_in(context, lib.murk_context_read_keys, context.c, c_text(path), fields)
+    return {key.key: _scalar(key.value) for key in result_in(fields)["keys"]}
+
+
+def _scalar(text: str) -> int | float | str:
+    """A number, if the text is one."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
 def report_of(saved: Any, page: Path) -> Path:
     """The page of an object that has save(), through a folder that is removed."""
     handle_of(saved)
@@ -153,12 +177,14 @@ class Study(Fielded):
         call_long(self.context, lib.murk_study_run, self.c)
         self.result = result_of(lib.murk_study_fields, self.c)
 
-    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
-        """Writes the files of `murk study` to a folder: study.json, table.csv. Arguments: `Plan.save()`. Raises Error.
+    def save(self, folder: Path, replace: bool = False) -> None:
+        """Writes the files of `murk study` to a folder: study.json, table.csv. replace: as in `Plan.save()`.
+
+        Raises Error.
 
         Example: `study.save("out")`.
         """
-        save(self, lib.murk_study_save, folder, exports, replace)
+        save(self, lib.murk_study_save, folder, (), replace)
 
     def report(self, page: Path) -> Path:
         """Writes one HTML page of the study and returns its path. Raises Error.

@@ -4,7 +4,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, Mapping, Sequence, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -12,11 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ._context import Context, default_context
 from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_numpy, lib, string
 from ._light import Batch, Light, World
+from ._picture import Picture
 from ._plan import Coverage, Plan
 from ._results import Fielded, Study, report_of, result_of, save
-
-if TYPE_CHECKING:
-    from ._picture import Picture
 
 Bounds = Tuple[Union[float, None], Union[float, None]]
 Sensors = Union[Path, Iterable[Mapping[str, Any]]]
@@ -76,12 +74,14 @@ class Fit(Fielded):
         call_long(self.context, lib.murk_fit_run, self.c)
         self.result = result_of(lib.murk_fit_fields, self.c)
 
-    def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
-        """Writes the files of `murk fit` to a folder: fit.json, fit.csv. Arguments: `Plan.save()`. Raises Error.
+    def save(self, folder: Path, replace: bool = False) -> None:
+        """Writes the files of `murk fit` to a folder: fit.json, fit.csv, calibrated.yaml, which `read_keys()` reads.
+
+        replace: as in `Plan.save()`. Raises Error.
 
         Example: `fit.save("out")`.
         """
-        save(self, lib.murk_fit_save, folder, exports, replace)
+        save(self, lib.murk_fit_save, folder, (), replace)
 
     def report(self, page: Path) -> Path:
         """Writes one HTML page of the fit and returns its path. Raises Error.
@@ -289,12 +289,17 @@ class Scene:
         """
         return self.trace().sense(sensors)
 
-    def render(self, camera: str | None = None, method: str = "maps") -> Picture:
-        """Traces the light and renders a picture: Picture; arguments as in `Light.render()`. Raises Error.
+    def render(self, camera: str | None = None, method: str = "maps", sensors: Sensors | None = None,
+               from_sensor: int = 0, pixels: Sequence[int] | None = None, samples: int = 0) -> Picture:
+        """Renders a picture: Picture; arguments as in `Light.render()`. Traces the light, which "paths" needs none of.
 
-        Example: `scene.render("gate").write("gate.exr")`.
+        Raises Error.
+
+        Example: `scene.render("gate").save("gate.exr", png=True)`.
         """
-        return self.trace().render(camera, method)
+        world = self.world()
+        light = None if method == "paths" else world.trace()
+        return Picture(world, light, camera, method, sensors, from_sensor, pixels, samples)
 
     def fit(self, data: Path, free: Sequence[str] = (), bounds: Mapping[str, Bounds] | None = None,
             loss: str | None = None, starts: int = 0, traces: int = 0, next: int = 0,

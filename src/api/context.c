@@ -143,6 +143,7 @@ void murk_context_release(murk_context *context)
         murk_fields_release(&context->preset);
         murk_fields_release(&context->profile);
         murk_fields_release(&context->reference);
+        murk_fields_release(&context->keys);
         murk_host_destroy(context->host);
         free(context->reader);
         free(context);

@@ -16,10 +16,16 @@
 murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
                              const void *of, murk_error *err)
 {
-    if (!fields->root) {
-        fields->root = murk_results_json(list, of);
-        fields->json = fields->root ? cJSON_Print(fields->root) : NULL;
-    }
+    return fields->root
+               ? MURK_OK
+               : murk_fields_take(fields, murk_results_json(list, of), err);
+}
+
+murk_status murk_fields_take(murk_fields *fields, cJSON *root, murk_error *err)
+{
+    murk_fields_release(fields);
+    fields->root = root;
+    fields->json = root ? cJSON_Print(root) : NULL;
     if (!fields->json) {
         murk_fields_release(fields);
         return murk_no_memory(err, "", "for the results");

@@ -355,9 +355,11 @@ static murk_status check(const murk_fit *f, murk_session *session,
     const char *const names[] = {"fit.csv",
                                  f->predict ? "predict.json" : "fit.json",
                                  f->predict ? NULL : "calibrated.yaml", NULL};
-    const murk_status status =
-        murk_results_begin(&session->results, session->settings.folder,
-                           session->settings.force, err);
+    murk_status status = murk_save_without_exports(session, "a fit", err);
+    if (!status) {
+        status = murk_results_begin(&session->results, session->settings.folder,
+                                    session->settings.force, err);
+    }
     return status ? status : murk_session_expect(session, names, err);
 }
 
@@ -384,7 +386,7 @@ static murk_status save(void *of, murk_session *session,
                         murk_error *err)
 {
     const murk_fit *f = of;
-    (void)late; /* has no exports */
+    (void)late; /* of exports, which check() refuses */
     const murk_fit_facts facts = facts_of(f);
     murk_status status = check(f, session, err);
     if (!status) {

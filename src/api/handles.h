@@ -38,6 +38,7 @@ struct murk_context {
     murk_fields preset;    /* of the last murk_context_preset() */
     murk_fields profile;   /* of the last murk_context_profile_grid() */
     murk_fields reference; /* of the last murk_context_reference() */
+    murk_fields keys;      /* of the last murk_context_read_keys() */
 };
 
 struct murk_scene {
@@ -220,6 +221,11 @@ void murk_light_release(murk_light *light);
  * then empty. */
 murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
                              const void *of, murk_error *err);
+
+/* Replaces the fields by those of the object `root`, which *fields takes over;
+ * NULL counts as lack of memory. Fails with MURK_NO_MEMORY, and *fields is then
+ * empty. */
+murk_status murk_fields_take(murk_fields *fields, cJSON *root, murk_error *err);
 void murk_fields_release(murk_fields *fields);
 
 /* murk_made_find() returns the data of the array of that name, or NULL if the

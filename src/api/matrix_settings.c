@@ -42,7 +42,7 @@ static murk_status check_key(const murk_override *override, murk_error *err)
     snprintf(name, sizeof name, MURK_SET_MARK "%.*s", (int)length,
              override->text);
     return murk_fail(err, MURK_BAD_VALUE, name,
-                     "with a matrix there is no such key; there are %s", list);
+                     "a matrix has no such key; there are %s", list);
 }
 
 /* Reads the keys that the caller has set; the last value of a key counts. Fails
@@ -62,7 +62,7 @@ static murk_status read_keys(murk_scene_desc *asked, const murk_scene *scene,
         !murk_detection_is(asked->placement.detection, MURK_DETECTION_SMOOTH)) {
         status = murk_fail(
             err, MURK_BAD_VALUE, "placement.detection",
-            "%s, must be %s with a matrix",
+            "%s, must be %s for a matrix",
             murk_detection_name(asked->placement.detection),
             murk_detection_list(MURK_DETECTION_SMOOTH, true, ", ").text);
     }

@@ -266,23 +266,6 @@ murk_status murk_picture_save(murk_picture *picture, const char *path,
     return status;
 }
 
-murk_status murk_picture_write(const murk_picture *picture, const char *path,
-                               murk_error *error)
-{
-    if (!picture || !path) {
-        return murk_call_refuse(error, "picture or path is NULL");
-    }
-    const wanted of = {picture, path, NULL, NULL};
-    const murk_save_options options = {.size = sizeof options};
-    murk_image_files files = {.exr = NULL};
-    murk_call call =
-        murk_call_begin(picture->world->context, &picture->world->files, error);
-    const murk_status status =
-        write_images(&files, &of, &options, &call.failure);
-    murk_images_release(&files);
-    return murk_call_end(&call, status);
-}
-
 /* ---- checks beforehand ---- */
 
 /* Checks picture and files, and warns of doubts about the place. */

@@ -62,14 +62,7 @@ static murk_status take_reference(murk_fields *fields, const char *name,
 {
     cJSON *root = NULL;
     const murk_status status = make(&root, name, err);
-    if (status) {
-        return status;
-    }
-    murk_fields_release(fields);
-    fields->root = root;
-    fields->json = cJSON_Print(root);
-    return fields->json ? MURK_OK
-                        : murk_no_memory(err, "", "for the reference");
+    return status ? status : murk_fields_take(fields, root, err);
 }
 
 /* Says that the place of a failure is a key and no file, though the key is

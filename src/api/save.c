@@ -69,6 +69,16 @@ murk_status murk_save_set(murk_session *session, const char *folder,
 
 /* ---- what would be refused ---- */
 
+murk_status murk_save_without_exports(const murk_session *session,
+                                      const char *of, murk_error *err)
+{
+    return session->settings.exports || session->settings.voxel
+               ? murk_fail(err, MURK_BAD_VALUE,
+                           session->settings.exports ? "exports" : "voxel_m",
+                           "%s has no exports; leave it out", of)
+               : MURK_OK;
+}
+
 /* Refuses more than MURK_REPEATS_MAX repeats; seeds of repeats beyond 32 bits;
  * the key at_least together with repeats or with the export lp; and, for
  * repeats with placement.over, a condition whose seed differs from that of the
@@ -264,10 +274,7 @@ murk_status murk_save_alone(murk_fields *fields, cJSON *root,
     }
     cJSON_AddStringToObject(root, "identity", identity);
     murk_json_file(root, file);
-    murk_fields_release(fields);
-    fields->root = root;
-    fields->json = root ? cJSON_Print(root) : NULL;
-    return fields->json ? MURK_OK : murk_no_memory(err, "", "for the JSON");
+    return murk_fields_take(fields, root, err);
 }
 
 /* Adds `saved`: the folder, and the names of the files in the order written. */

@@ -23,6 +23,11 @@ murk_status murk_save_check_options(const murk_save_options *options,
 murk_status murk_save_set(murk_session *session, const char *folder,
                           const murk_save_options *options, murk_error *err);
 
+/* Fails if the settings of a session ask for exports, or for the size of their
+ * voxels. of: what has none, "a study". */
+murk_status murk_save_without_exports(const murk_session *session,
+                                      const char *of, murk_error *err);
+
 /* Checks, before light is traced, that the results of a command ("trace",
  * "sense" or "place") on the scene of the session can be written: that the
  * scene allows the exports and the repeats (runs; 0: none), and that no file is

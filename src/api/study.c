@@ -244,9 +244,11 @@ static murk_status identify(const murk_study *study, murk_session *session,
 static murk_status check(murk_session *session, murk_error *err)
 {
     static const char *const names[] = {"study.json", "table.csv", NULL};
-    const murk_status status =
-        murk_results_begin(&session->results, session->settings.folder,
-                           session->settings.force, err);
+    murk_status status = murk_save_without_exports(session, "a study", err);
+    if (!status) {
+        status = murk_results_begin(&session->results, session->settings.folder,
+                                    session->settings.force, err);
+    }
     return status ? status : murk_session_expect(session, names, err);
 }
 
@@ -294,7 +296,7 @@ static murk_status save(void *of, murk_session *session,
                         murk_error *err)
 {
     murk_study *study = of;
-    (void)late; /* has no exports */
+    (void)late; /* of exports, which check() refuses */
     const murk_study_results results = {study->sweep, study->is_interrupted,
                                         session->settings.folder};
     murk_status status = check(session, err);

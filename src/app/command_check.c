@@ -4,26 +4,11 @@
 #include "app/given.h"
 #include "app/show.h"
 
-#include <string.h>
-
-/* Fails with the message of the library, in which "a picture" becomes the
- * option of the program. */
-static murk_status refuse(const murk_error *why, murk_error *err)
-{
-    static const char of_library[] = "goes with a picture";
-    const char *at = strstr(why->text, of_library);
-    return at ? murk_fail(err, why->code, why->where,
-                          "goes with --picture FILE.png%s",
-                          at + strlen(of_library))
-              : murk_fail(err, why->code, why->where, "%s", why->text);
-}
-
 murk_status murk_command_check(const murk_options *options, murk_error *err)
 {
     murk_scene *scene = NULL;
     murk_world *world = NULL;
     murk_given_save save = {.exports = NULL};
-    murk_error why = {0};
     const murk_fields *fields = NULL;
     const murk_check_options check = {
         .size = sizeof check,
@@ -38,9 +23,8 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_given_save_begin(&save, options, err);
     }
-    if (!status &&
-        murk_world_check(world, &check, &save.options, &fields, &why)) {
-        status = refuse(&why, err);
+    if (!status) {
+        status = murk_world_check(world, &check, &save.options, &fields, err);
     }
     if (!status) {
         murk_show_results(options, fields);

@@ -2,11 +2,10 @@
  * keys. Each checks its value and stores it. */
 #include "app/option_values.h"
 
+#include "app/field.h"
 #include "base/export_kind.h"
-#include "base/file.h"
+#include "base/log.h"
 #include "base/picture_limits.h"
-#include "results/fit.h"
-#include "scene/yaml.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -115,60 +114,53 @@ murk_status murk_option_bounds(murk_options *out, const char *name,
     return take_words(out, &out->fit.bounds, value, name, err);
 }
 
-static murk_status add_value(murk_options *out, const murk_yaml *map, size_t i,
-                             const char *option, murk_error *err)
+/* Prints a warning about a file of keys, which --quiet does not hide: it is
+ * read while the command line is parsed. */
+static void tell(void *user, bool is_warning, const char *where,
+                 const char *text)
 {
-    const murk_yaml *node = map->child[i];
-    char where[320];
-    murk_yaml_key_place(node, where, sizeof where);
-    if (node->kind != MURK_YAML_SCALAR || node->is_quoted) {
-        return murk_fail(err, MURK_BAD_VALUE, where,
-                         "%s: must be a number or a word: the file has one "
-                         "KEY: VALUE a line",
-                         map->key[i]);
-    }
-    return murk_option_override(out, map->key[i], node->text, option, err);
+    (void)user;
+    murk_message(is_warning ? "warning: " : "note: ", where, text);
 }
 
-/* --set @FILE: a map of keys by their paths, such as fit's calibrated.yaml. */
-static murk_status values_of(murk_options *out, const char *file,
-                             murk_error *err)
+/* Sets the keys in the file of --set @FILE. Messages about a key name the
+ * file. */
+static murk_status set_keys_of(murk_options *out, const char *file,
+                               murk_context *context, murk_error *err)
 {
-    murk_yaml *root = NULL;
-    char *text = NULL;
-    size_t size = 0;
-    if (!*file) {
-        return murk_fail(err, MURK_BAD_VALUE, "--set @",
-                         "no name, must be --set @FILE");
-    }
-    /* Read the map and set each key. */
-    murk_status status =
-        murk_file_read(&text, &size, file, MURK_YAML_MAX_BYTES, err);
-    if (!status) {
-        status = murk_yaml_parse(&root, text, size, file, err);
-    }
-    if (!status && root->kind != MURK_YAML_MAP) {
-        status = murk_fail(err, MURK_BAD_FILE, file,
-                           "must be a map of KEY: VALUE, as calibrated.yaml");
-    }
-    /* Messages about a key name the file. */
+    const murk_fields *f = NULL;
     const size_t length = strlen(file) + sizeof "--set @";
     char *option = malloc(length);
     if (option) {
         snprintf(option, length, "--set @%s", file);
     }
     const char *source = keep(out, option);
-    if (!status && !source) {
-        status = no_memory(err);
+    murk_status status = source ? murk_context_read_keys(context, file, &f, err)
+                                : no_memory(err);
+    const size_t n = status ? 0 : murk_field_length(f, "keys");
+    for (size_t i = 0; i < n && !status; ++i) {
+        status = murk_option_override(
+            out, murk_field_text(f, "keys.%zu.key", i),
+            murk_field_text(f, "keys.%zu.value", i), source, err);
     }
-    for (size_t i = 0; !status && i < root->n; ++i) {
-        status = add_value(out, root, i, source, err);
+    return status;
+}
+
+static murk_status read_keys(murk_options *out, const char *file,
+                             murk_error *err)
+{
+    const murk_context_options options = {
+        .size = sizeof options, .threads = 1, .log = tell};
+    murk_context *context = NULL;
+    if (!*file) {
+        return murk_fail(err, MURK_BAD_VALUE, "--set @",
+                         "no name, must be --set @FILE");
     }
-    if (!status && murk_fit_refused_values(text)) {
-        murk_fit_warn_refused(file);
+    murk_status status = murk_context_create(&context, &options, err);
+    if (!status) {
+        status = set_keys_of(out, file, context, err);
     }
-    free(text);
-    murk_yaml_destroy(root);
+    murk_context_destroy(context);
     return status;
 }
 
@@ -176,7 +168,7 @@ murk_status murk_option_set(murk_options *out, const char *name,
                             const char *value, murk_error *err)
 {
     if (*value == '@') {
-        return values_of(out, value + 1, err);
+        return read_keys(out, value + 1, err);
     }
     return strchr(value, '=') && *value != '='
                ? murk_option_override(out, "", value, NULL, err)

@@ -7,18 +7,6 @@
 
 #include <string.h>
 
-/* Fails with the message of the library, in which "a matrix" becomes the option
- * of the program. */
-static murk_status refuse(const murk_error *why, murk_error *err)
-{
-    static const char of_library[] = "with a matrix";
-    const char *at = strstr(why->text, of_library);
-    return at ? murk_fail(err, why->code, why->where, "%.*swith --matrix%s",
-                          (int)(at - why->text), why->text,
-                          at + strlen(of_library))
-              : murk_fail(err, why->code, why->where, "%s", why->text);
-}
-
 /* True if the command line sets the key. */
 static bool is_set(const murk_options *options, const char *key)
 {
@@ -61,7 +49,6 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
     murk_scene *scene = NULL;
     murk_plan *plan = NULL;
     murk_given_save save = {.exports = NULL};
-    murk_error why = {0};
     const murk_fields *saved = NULL;
     /* The keys of the command line. */
     murk_status status = check_options(options, err);
@@ -75,9 +62,9 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
         status = murk_given_save_begin(&save, options, err);
     }
     /* The choice. */
-    if (!status && murk_plan_for_matrix(&plan, scene, options->matrix,
-                                        options->out, &save.options, &why)) {
-        status = refuse(&why, err);
+    if (!status) {
+        status = murk_plan_for_matrix(&plan, scene, options->matrix,
+                                      options->out, &save.options, err);
     }
     if (!status) { /* if an export alone fails, the plan is saved */
         status = murk_plan_save(plan, options->out, &save.options, &saved, err);

@@ -29,7 +29,7 @@ static murk_status check_members(const murk_section_file *picture,
                    ? MURK_OK
                    : murk_fail(err, MURK_BAD_VALUE,
                                picture->cut_m ? "cut_m" : "pixels",
-                               "goes with a picture only");
+                               "goes with options->picture only");
     }
     /* The name and the size. */
     if (length <= ending || strcmp(path + length - ending, ENDING) != 0) {

@@ -215,8 +215,3 @@ bool murk_fit_refused_values(const char *text)
     }
     return line != NULL;
 }
-
-void murk_fit_warn_refused(const char *file)
-{
-    murk_message("warning: ", file, MURK_REFUSED_VALUES);
-}

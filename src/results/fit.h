@@ -38,10 +38,6 @@ bool murk_fit_refused_values(const char *text);
 #define MURK_REFUSED_VALUES \
     "of a fit whose model the data refuse, so its values are not to be used"
 
-/* Warns that the file has values of a fit that rejected its model. Also prints
- * with --quiet. */
-void murk_fit_warn_refused(const char *file);
-
 /* Prints the summary of a fit. `of` points to a murk_fit_facts. */
 void murk_print_fit(const void *of);
 

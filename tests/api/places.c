@@ -168,6 +168,17 @@ static void check_context(const given *g)
               murk_context_reference(g->context, "scene", NULL, NULL) ==
                   MURK_BAD_VALUE,
           "reference", "takes NULL");
+    /* A file of keys that is not there. */
+    murk_error file = MURK_ERROR_NONE;
+    check(murk_context_read_keys(g->context, "none.yaml", &fields, &file) ==
+                  MURK_BAD_FILE &&
+              strcmp(file.file, "none.yaml") == 0 && !fields,
+          "none.yaml", "is not told");
+    check(murk_context_read_keys(g->context, NULL, &fields, NULL) ==
+                  MURK_BAD_VALUE &&
+              murk_context_read_keys(g->context, "a.yaml", NULL, NULL) ==
+                  MURK_BAD_VALUE,
+          "keys of a file", "takes NULL");
     /* Options of a context that name no file, and two ways of progress. */
     const murk_context_options no_file = {.size = sizeof no_file,
                                           .n_inputs = 1};

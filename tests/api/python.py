@@ -129,6 +129,9 @@ def study_and_fit_agree(folder):
     check(mine["parameters"] == theirs["parameters"] and mine["chi2"] == theirs["chi2"], "a fit of a scene file")
     mine.save(os.path.join(folder, "saved-fit"))
     check(without_run(os.path.join(folder, "saved-fit", "fit.json"))["parameters"] == theirs["parameters"], "a saved fit")
+    found = murk.read_keys(os.path.join(folder, "saved-fit", "calibrated.yaml"))
+    check(abs(found[key] / mine.parameters[0].value - 1) < 1e-4, "the keys that a fit has found")
+    check(murk.Scene(file=room, **found)[key] == found[key], "a scene takes them")
     options_of_a_fit(room, data, key)
     told = murk.Scene(file=room).fit(data, predict=os.path.join(folder, "saved-fit", "fit.json"))
     told.save(os.path.join(folder, "predicted"))
@@ -166,6 +169,17 @@ def arrays():
     check(float(volume["power_w"].sum()) == sum_w, "a view keeps the light")
 
 
+def png_data(image):
+    """The compressed pixels of a PNG file, without its texts, which name the run."""
+    at, data = 8, []
+    while at < len(image):
+        size = int.from_bytes(image[at:at + 4], "big")
+        data += [image[at + 8:at + 8 + size]] if image[at + 4:at + 8] == b"IDAT" else []
+        at += size + 12
+    check(data, "a PNG file has pixels")
+    return b"".join(data)
+
+
 def pictures(folder):
     camera = {"name": "gate", "from_m": [1, 1, 2], "to_m": [5, 5, 1], "pixels": [24, 16], "samples": 4}
     room = {**ROOM, "cameras": [camera, {**camera, "name": "far", "from_m": [9, 9, 3]}]}
@@ -177,7 +191,8 @@ def pictures(folder):
     check((light.render("far").radiance != picture.radiance).any(), "another camera")
     for make, part in ((lambda: light.render("gaet"), "gaet"), (lambda: light.render(method="rays"), "rays"),
                        (lambda: picture.array("radiance.7"), "radiance.7"),
-                       (lambda: picture.write("/nowhere/p.exr"), "/nowhere")):
+                       (lambda: picture.save("/nowhere/p.exr"), "/nowhere"),
+                       (lambda: picture.save(scale="square"), "square"), (lambda: light.render(from_sensor=1), "sensor")):
         try:
             make()
         except murk.Error as error:
@@ -191,25 +206,39 @@ def pictures(folder):
     same = murk.Scene(file=scene_file).trace()
     for method, of_program in (("maps", "maps"), ("paths", "path"), ("maps-only", "maps-only")):
         mine, theirs = (os.path.join(folder, f"{method}-{who}.exr") for who in ("python", "program"))
-        same.render("far", method).write(mine)
-        subprocess.run([program, "render", scene_file, "--camera", "far", "--method", of_program, "-o", theirs,
-                        "--quiet"], check=True)
+        saved = same.render("far", method).save(mine, png=True, exposure_stops=2)
+        run = subprocess.run([program, "render", scene_file, "--camera", "far", "--method", of_program, "-o", theirs,
+                              "--png", "--exposure", "2", "--format", "json"], check=True, capture_output=True, text=True)
+        told = json.loads(run.stdout)
+        check(saved.mean_radiance == told["mean_radiance"] and saved.png.image == mine[:-3] + "png", "fields of a picture")
+        with open(mine[:-3] + "png", "rb") as a, open(theirs[:-3] + "png", "rb") as b:
+            check(png_data(a.read()) == png_data(b.read()), "the picture for the eye is the program's")
         with open(mine, "rb") as a, open(theirs, "rb") as b:
             check(exr_data(a.read()) == exr_data(b.read()), f"the picture by {method} is the program's")
+    # channels of sensors, the view of one, sizes; no light for paths
+    sensors = [{"type": "node", "position_m": [5, 5, 2]}]
+    seen = light.render(sensors=sensors, pixels=(32, 8), samples=2)
+    count = seen.array("coverage.count")
+    check(seen.radiance.shape == (1, 8, 32) and set(numpy.unique(count[count >= 0])) == {0, 1},
+          "coverage of a sensor in a picture")
+    check(light.render(sensors=sensors, from_sensor=1).distance_m.shape[1] == 640, "the view of a sensor")
+    dark = murk.Scene(room).render("far", "paths")
+    check((dark.radiance == light.render("far", "paths").radiance).all(), "paths need no light")
     path = os.path.join(folder, "p.exr")
-    picture.write(path)
-    picture.write(path)  # an own image is replaced
+    picture.save(path)
+    picture.save(path)  # an own image is replaced
     with open(path, "rb") as file:
         check(file.read(4) == b"\x76\x2f\x31\x01", "an OpenEXR file")
     with open(path, "wb") as file:
         file.write(b"of the user")
     try:
-        picture.write(path)
+        picture.save(path)
     except murk.Error:
         with open(path, "rb") as file:
             check(file.read() == b"of the user", "a file of the user stays")
     else:
         check(False, "a file of the user is not replaced")
+    check(picture.save(path, replace=True).image == path, "a file of the user is replaced if asked")
 
 
 def grids_and_meshes():

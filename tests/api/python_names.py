@@ -35,7 +35,6 @@ UNUSED = {
     "murk_study_check_save": "as murk_world_check_save",
     "murk_fit_check_save": "as murk_world_check_save",
     "murk_picture_check": "as murk_world_check_save",
-    "murk_picture_save": "channels are arrays, which packages of plots draw; write() has the OpenEXR file",
 }
 
 

@@ -225,6 +225,10 @@ static void run_study(murk_context *context, const char *path, const char *out)
                                         .value = value};
     must(murk_study_read(&study, context, path, &options, &error));
     must(murk_study_check_save(study, folder, NULL, &error));
+    const murk_save_options none = exports("fields");
+    murk_error why = MURK_ERROR_NONE;
+    CHECK(murk_study_check_save(study, folder, &none, &why) == MURK_BAD_VALUE &&
+          strcmp(why.where, "exports") == 0);
     must(murk_study_run(study, &error));
     must(murk_study_save(study, folder, NULL, &fields, &error));
     check_saved(fields, folder, "study.json");
@@ -262,6 +266,11 @@ static void run_fit(murk_context *context, const char *path, const char *data,
                  "--bounds media.fog.extinction_per_m=0.001:5\n"
                  "--loss huber:2\n";
     must(murk_fit_check_save(fit, folder, &said, &error));
+    murk_save_options none = exports(NULL);
+    murk_error unused = MURK_ERROR_NONE;
+    none.voxel_m = "1";
+    CHECK(murk_fit_check_save(fit, folder, &none, &unused) == MURK_BAD_VALUE &&
+          strcmp(unused.where, "voxel_m") == 0);
     must(murk_fit_run(fit, &error));
     must(murk_fit_save(fit, folder, &said, &fields, &error));
     check_saved(fields, folder, "fit.json");

@@ -370,7 +370,7 @@ expect 2 "at_least is given, which repeats do not take: place once for each seed
 expect 2 "at_least is given, which the export lp does not take: use the export matrix or or-library" \
     place "$dir/good.yaml" --export lp --target 0.1 --set placement.at_least=2 -o "$dir/out"
 printf '1,1\n1,0\n' >"$dir/matrix.csv"
-expect 2 "--set placement.at_least: with --matrix there is no such key; there are seed" \
+expect 2 "--set placement.at_least: a matrix has no such key; there are seed" \
     place --matrix "$dir/matrix.csv" --target 0.9 --set placement.at_least=2 -o "$dir/out"
 expect 2 "--repeat: a matrix is one sample" place --matrix "$dir/matrix.csv" --count 1 --repeat 2
 

@@ -120,10 +120,10 @@ expect 2 "cannot be reached: all 3" --target 0.9
 expect 2 "--budget: 0, must be more than 0 and at most 1e12" --budget 0
 expect 2 "--budget: inf" --budget inf
 expect 2 "a matrix has no light" --light light.murk --count 1
-expect 2 "--set photons.emit: with --matrix there is no such key" --set photons.emit=5 --count 1
-expect 2 "--emit: with --matrix there is no such key" --emit 5 --count 1
+expect 2 "--set photons.emit: a matrix has no such key" --set photons.emit=5 --count 1
+expect 2 "--emit: a matrix has no such key" --emit 5 --count 1
 expect 2 "--set placement.method=fast: fast, must be best, spoq, greedy, exact" --set placement.method=fast --count 1
-expect 2 "placement.detection: threshold, must be weighted, independent with --matrix" --set placement.detection=threshold --count 1
+expect 2 "placement.detection: threshold, must be weighted, independent for a matrix" --set placement.detection=threshold --count 1
 expect 2 "--set placement.redundancy=17: 17, must be 1..16" --set placement.redundancy=17 --count 1
 expect 2 "redundancy is 2, must be 1 where views are independent chances" --set placement.redundancy=2 --set placement.detection=independent --count 1
 expect 2 "--set placement.restarts=0: 0, must be 1..1e6" --set placement.restarts=0 --count 1

@@ -170,7 +170,7 @@ def refusals():
             (("--picture", "f.png", "--cut", "1,2,nan"), "must be X,Y,Z"),
             (("--picture", "f.png", "--cut", "1,2,77"), "z is 77 m, must be within the domain"),
             (("--picture", "f.png", "--pixels", "100x100"), "must be 640x480 or more"),
-            (("--cut", "1,2,1"), "goes with --picture")):
+            (("--cut", "1,2,1"), "goes with --picture only")):
         done = run("scene.json", *line)
         check(done.returncode == 2 and words in done.stderr and done.stderr.count("\n") == 1, line, done.returncode, done.stderr)
         check(not os.path.exists(path("f.png")), line, "wrote a picture")

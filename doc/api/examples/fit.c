@@ -33,6 +33,22 @@ int main(void)
          &error);
     printf("extinction_per_m: %.3f\n", value);
     must(murk_fit_save(fit, "results", NULL, NULL, &error), &error);
+    /* The scene with the values of the file that the fit has written. */
+    const char *file_of_values = "results/calibrated.yaml";
+    const char *key = NULL, *text = NULL;
+    must(murk_context_read_keys(context, file_of_values, &fields, &error),
+         &error);
+    for (size_t i = 0; i < murk_fields_length(fields, "keys"); ++i) {
+        char path[2][32];
+        snprintf(path[0], sizeof path[0], "keys.%zu.key", i);
+        snprintf(path[1], sizeof path[1], "keys.%zu.value", i);
+        must(murk_fields_string(fields, path[0], &key, &error), &error);
+        must(murk_fields_string(fields, path[1], &text, &error), &error);
+        must(murk_scene_set(scene, key, text, &error), &error);
+    }
+    must(murk_scene_get(scene, "media.fog.extinction_per_m", &text, &error),
+         &error);
+    printf("in the scene: %.3f\n", strtod(text, NULL));
     murk_fit_destroy(fit);
     murk_scene_destroy(scene);
     murk_context_destroy(context);
@@ -42,4 +58,5 @@ int main(void)
 /* Prints:
  *
  * extinction_per_m: 0.250
+ * in the scene: 0.250
  */

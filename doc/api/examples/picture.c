@@ -27,8 +27,7 @@ int main(void)
     }
     printf("%zu rows of %zu pixels, most of them bright: %s\n",
            radiance.shape[0], radiance.shape[1], bright > 384 ? "yes" : "no");
-    must(murk_picture_write(picture, "door.exr", &error), &error);
-    /* The same file, and door.png beside it. */
+    /* Write the file, and door.png beside it. */
     const murk_fields *fields = NULL;
     double samples = 0;
     must(murk_picture_save(picture, "door.exr", &images, NULL, &fields, &error),
