@@ -21,19 +21,22 @@ typedef struct murk_model_desc {
     const murk_readings *measured;
     unsigned threads;
     const murk_imported_stages *imported; /* of the scene of the keys */
-    /* Called before light is first traced, in the thread of the caller, with
-     * the forecast of memory and the free memory in bytes; may be NULL. */
+    /* Called by the first murk_model_trace(), in the thread of the caller,
+     * before light is traced in full, with the forecast of memory and the free
+     * memory in bytes (INFINITY: not known); may be NULL. */
     void (*forecast)(void *context, double bytes, double have_bytes);
     void *context;
 } murk_model_desc;
 
 typedef struct murk_model murk_model;
 
-/* Facts about a model that change with each trace. */
+/* Facts about a model: the light rows and the batches of photons, which stay
+ * the same; and counts, memory and time of the traces so far. */
 typedef struct murk_model_facts {
     size_t *light; /* [lights]; rows that need photons, rising */
     size_t lights;
-    size_t batches, runs; /* of photons */
+    size_t batches, runs; /* numbers of batches of photons, and of runs of
+                           * consecutive batches */
     size_t traces;        /* so far, one for each condition with light rows,
                            * those for slopes of world keys included */
     uint64_t photons;     /* of one trace, of the condition that was traced

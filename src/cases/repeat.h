@@ -24,7 +24,9 @@
 typedef struct murk_repeat_run {
     uint32_t seed;
     size_t sensors;
-    double in_sample, upper; /* bound on any plan of this sample */
+    double in_sample, upper; /* upper: bound on any plan of this sample; with
+                              * the objective regret that of read_regret() in
+                              * cases/condition_plans_make.c */
     bool proven_optimal;
     murk_estimate held_out; /* NaN: none */
     murk_estimate plan;     /* the first run's plan, on a map of this run that

@@ -3,9 +3,10 @@
  * Sites are about spacing_m apart however the surfaces are cut into triangles.
  * First come sites on the lines of a square lattice along the axis closest to
  * the normal of a face. The lattice is centred in the bounding box of all
- * searched surfaces, so a wall along the axes gets rows and columns spacing_m
- * apart. Then slanting faces and small parts are filled: the middle of a small
- * piece of a surface gets a site of its own if the middle is farther than 3/4
+ * searched triangles, so a wall along the axes gets rows and columns spacing_m
+ * apart. A sphere has its six poles along the axes in place of the lattice.
+ * Then slanting faces and small parts are filled: the middle of a small piece
+ * of a surface gets a site of its own if the middle is farther than 3/4
  * spacing_m from every site of the surface. No two sites of one surface are
  * closer than 3/4 spacing_m, and no place of a surface is farther from every
  * site than 1.1 spacing_m, in a straight line (except in stacks of thousands of

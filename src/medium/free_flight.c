@@ -5,9 +5,10 @@
  * An interval with constant extinction is crossed in one step. An interval with
  * grids or profiles is crossed by walks (medium/density_walk.h) that integrate
  * the density exactly, several walks side by side; or, if the flight has a
- * stream of random numbers and only grids are present, by delta tracking
- * (medium/delta.h). Optical depth and free flight are the same crossing,
- * without and with a limit. */
+ * stream of random numbers and no profile is present, by delta tracking
+ * (medium/delta.h), which leaves the rest to walks after too many null
+ * collisions. Optical depth and free flight are the same crossing, without and
+ * with a limit. */
 #include "medium/media.h"
 
 #include "medium/albedo.h"

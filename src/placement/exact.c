@@ -12,9 +12,11 @@
 #include <assert.h>
 #include <string.h>
 
-/* Evaluations of the bound at the root and at every other node. Multipliers of
- * the parent are a good start, so a node below the root needs fewer (choices).
- */
+/* Largest number of subgradient rounds of the bound at the root and at every
+ * other node. Each round is an evaluation of the bound; one more evaluation, at
+ * the lowest bound, follows unless the node is fathomed. The multipliers of the
+ * parent are a good start, so a node below the root needs fewer rounds. Both
+ * numbers are chosen, not derived. */
 #define ROUNDS_AT_ROOT 60
 #define ROUNDS_BELOW   30
 
@@ -367,7 +369,7 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         goto done;
     }
     level *root = &e.level[0];
-    /* with too few candidates for a plan, take dominated ones as well */
+    /* If presolve left fewer than n candidates, take the others as well. */
     root->live_count = evaluator->presolved_count < n
                            ? evaluator->candidates
                            : evaluator->presolved_count;

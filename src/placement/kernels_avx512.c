@@ -92,7 +92,7 @@ MURK_LOOP uint64_t reduce_terms(__m512i sum, bool has_weights)
                        : reduce_u32(sum);
 }
 
-/* 32 times murk_gain_term(). */
+/* murk_gain_term() of 32 slots side by side. */
 MURK_TARGET static inline __m512i term(__m512i row, const uint16_t *best,
                                        bool is_independent)
 {
@@ -136,7 +136,7 @@ MURK_TARGET static uint64_t dense(const uint16_t *row, const uint16_t *best,
 }
 
 /* The clarities of 32 slots: those from p go to the slots whose bits are set in
- * mask. p NULL: MURK_CLEAR. */
+ * mask, all other slots are 0. p NULL: MURK_CLEAR in place of those from p. */
 MURK_LOOP __m512i expand(const uint16_t *p, uint32_t mask)
 {
     return p ? _mm512_maskz_expand_epi16(mask, _mm512_loadu_si512(p))

@@ -1,7 +1,8 @@
 /* Placement for the worst block. For each count greedy climbs towards a level
  * in every block, and bisection finds the highest level that greedy reaches
  * (SATURATE). Relocation, greedy on each block, random starts and branch and
- * bound follow, by method. */
+ * bound follow as the method asks. MURK_PLACE_SPOQ has one random start in
+ * place of greedy. placement/worst.h has the steps of each method. */
 #include "placement/worst.h"
 
 #include "base/interrupt.h"
@@ -20,9 +21,9 @@
 #define LEVEL_FINEST (MURK_SHARE_ONE >> 16)
 
 /* Steps of lambda (placement/worst_bound.h), evaluations of the bound at each
- * step, and evaluations of the last bound of a count (choices); a count below
- * the wanted one gets STEPS_CURVE steps, and ROUNDS evaluations of the last
- * bound. */
+ * step, and evaluations of the last bound of a count, at most; all are chosen,
+ * not derived. A count below the wanted one gets STEPS_CURVE steps, and ROUNDS
+ * evaluations of the last bound. */
 #define STEPS       60
 #define STEPS_CURVE 15
 #define ROUNDS      8
@@ -101,7 +102,8 @@ static void greedy_and_keep(worst *w, const murk_block_objective *by, size_t n)
     keep_trial(w, n, value, w->run.desc->method == MURK_PLACE_BEST);
 }
 
-/* Greedy towards one level in every block; MURK_NO_LEVEL: for the mean. */
+/* Greedy towards one level in every block; MURK_NO_LEVEL: for the mean of the
+ * worths of the blocks. */
 static void greedy_to_level(worst *w, size_t n, uint64_t level)
 {
     murk_block_objective by = {.level = level};
@@ -138,8 +140,9 @@ static void greedy_per_block(worst *w, size_t n)
     }
 }
 
-/* With a budget: greedy by gain per cost, over the mean of the blocks. Without
- * a budget nothing is done. */
+/* With a budget: greedy by gain per cost on the value of the whole problem, in
+ * which each block counts by its weight; then relocation. Without a budget
+ * nothing is done. */
 static void greedy_with_budget(worst *w, size_t n)
 {
     if (murk_has_budget(w->run.set)) {

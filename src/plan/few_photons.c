@@ -1,5 +1,5 @@
-/* Finds maps whose few records carry much of the weight, and warns about them
- * (plan/few_photons.h). */
+/* Finds thin maps, whose records are few and weigh far more each than those of
+ * the other map, and warns about them (plan/few_photons.h). */
 #include "plan/few_photons.h"
 
 #include "base/log.h"
@@ -59,7 +59,8 @@ bool murk_thin_map_text(char *out, size_t size, const murk_scene_desc *scene,
         return false;
     }
     /* The share of the variance is NaN if neither map has a standard error
-     * above 0; the text then leaves the share out. */
+     * above 0, or if one standard error is NaN; the text then leaves the share
+     * out. */
     const double variance = murk_map_variance_share(coverage, p);
     char error[64] = "";
     if (isfinite(variance)) {

@@ -34,7 +34,8 @@ typedef struct murk_robust {
                                    * that sensor */
     double *without_held_out;     /* [sensors]; the same on the second map; NULL
                                    * if there is none */
-    double total, total_held_out; /* coverage with all sensors */
+    double total, total_held_out; /* coverage with all sensors; total_held_out
+                                   * is NaN without a second map */
     murk_jittered jittered;
     murk_links links;
 } murk_robust;

@@ -142,8 +142,9 @@ static void light_piece(const lighting *l, size_t i)
         (float)(variance > 0 ? sqrt(variance) / area_m2 : 0);
 }
 
-/* Counting sort: fills begin[pieces + 1] and order. Returns the largest number
- * of records on a piece. */
+/* Counting sort: fills begin[pieces + 1], which must be zeros, and order.
+ * Records on no piece are left out. Returns the largest number of records on a
+ * piece. */
 static size_t sort_by_piece(size_t *begin, uint32_t *order,
                             const uint32_t *piece, size_t n, size_t pieces)
 {
@@ -307,7 +308,7 @@ static murk_status see_middles(murk_lit_pieces *out, const murk_domain *domain,
             m.piece[m.n++] = (uint32_t)i;
         }
     }
-    /* What sensors see of both sides of each, band by band. */
+    /* Evaluate the sightlines to both sides of each middle, band by band. */
     for (m.band = 0; !status && m.band < bands; ++m.band) {
         const murk_places places = {.n = 2 * m.n,
                                     .record = middle_of,

@@ -1,5 +1,6 @@
-/* Stages the files of a run, refuses those that may not be replaced, and moves
- * all of them into place together. */
+/* Stages the files of a run, refuses a file if the one in its place may not be
+ * replaced, and moves the staged files into place after all of them are
+ * complete. */
 #include "results/results.h"
 
 #include "base/file.h"
@@ -294,8 +295,10 @@ murk_status murk_results_note(murk_results *results, const char *name,
 
 /* ---- showing ---- */
 
-/* Refuses to replace files that this run has read: checked again here, because
- * the run may have read more files since they were added. */
+/* Fails if a file of this run was refused before, or if a staged file would
+ * replace a file that this run has read. The inputs are checked again here,
+ * because the run may have read more files since the staged files were added.
+ */
 static murk_status check_all(murk_results *results, murk_error *err)
 {
     for (size_t i = 0; i < results->n && !results->refused.code; ++i) {

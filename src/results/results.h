@@ -3,9 +3,10 @@
  * the disk are they renamed, the main JSON last, so a full disk leaves the old
  * results. A run that is killed between two renames leaves files of two runs;
  * `files` in the main JSON tells them apart. Two kinds of files are not
- * replaced: those that this run has read as input (base/inputs.h), unless they
- * already have the bytes that would be written; and, without --force, those
- * that are not murk's (results/ownership.h). */
+ * replaced: those that this run has read as input (base/inputs.h); and, without
+ * --force, those that are not murk's (results/ownership.h). A result that would
+ * replace one of these is refused, except that an input which already has the
+ * bytes of the result stays in place as that result. */
 #ifndef MURK_RESULTS_RESULTS_H
 #define MURK_RESULTS_RESULTS_H
 
@@ -64,7 +65,8 @@ typedef murk_status (*murk_results_writer)(const char *path,
  * if the file had not been added, except that murk_results_show() fails after a
  * refusal. Fails as write() or murk_results_expect() does, with MURK_RUN_FAILED
  * if a staged file has this name, or with MURK_NO_MEMORY. A file that has been
- * shown may be added again. */
+ * shown may be added again; if write() then fails, the shown file stays in the
+ * folder, but no longer in the list. */
 murk_status murk_results_add(murk_results *results, const char *name,
                              murk_results_writer write, const void *context,
                              murk_error *err);

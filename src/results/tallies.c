@@ -154,8 +154,9 @@ static murk_field_box box_of(const murk_tally_desc *d)
                             .size = {d->size[0], d->size[1], d->size[2]}};
 }
 
-/* Adds the values of one band, or the sums over all bands (band -1), as a
- * field. False when out of memory. */
+/* Adds the values of one band, or of the sums over all bands (band -1), as a
+ * field; with is_error the standard errors of these. False when out of
+ * memory. */
 static bool add_field(murk_voxel_fields *fields, const tally *t, int band,
                       bool is_error, const murk_voxel_field *like)
 {

@@ -22,10 +22,11 @@ murk_status murk_value_wrong(murk_key_reader *walk, const murk_key *key,
 murk_status murk_value_word(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, int *value);
 
-/* The path of a file that a node names, relative to the working folder. A name
- * on the command line is relative to the working folder, any other name to the
- * folder of the file that has the node; "memory:NAME" is returned as it is.
- * NULL when out of memory; the caller frees the path with free(). */
+/* The path by which the program opens the file that a node names. A name from
+ * the command line, or from a call of the library that sets a key, is relative
+ * to the working folder, any other name to the folder of the file that has the
+ * node. "memory:NAME" and absolute paths are returned as they are. NULL when
+ * out of memory; the caller frees the path with free(). */
 char *murk_value_opened(const murk_yaml *node);
 
 /* Stores a value in a member that is an enum, a bool or a char; stores nothing

@@ -62,8 +62,10 @@ murk_status murk_walk_fail_key(murk_key_reader *walk, const murk_yaml *node,
 murk_status murk_walk_no_memory(murk_key_reader *walk);
 
 /* The place of a node: "FILE:LINE:COLUMN: KEY"; "FILE: KEY" for a node that is
- * not in the file; or the option of the command line, with ": KEY" unless the
- * option names the key. */
+ * not in the file; or the option of the command line or the call of the library
+ * that sets the key, with ": KEY" unless these name the key. at_key: line and
+ * column are those of the key of the node, as they are for maps and lists in
+ * any case. */
 void murk_walk_where(const murk_yaml *node, const char *key, bool at_key,
                      murk_scene_where out);
 

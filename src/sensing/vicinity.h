@@ -5,11 +5,14 @@
  * a photon's own path says nothing about the density. If more than a maximum
  * lie within the radius, only the photons of the first half, quarter, .. of all
  * emitted photons are used, with larger factors: any first part of the emitted
- * photons is dealt to the lights in proportion. If few paths left that many
- * records, every second record is left out, repeatedly if necessary. So the
- * work is bounded however dense the photons are, for example where a beam meets
- * a wall, and a sum over the photons times the factor is without bias.
- * Immutable after creation. */
+ * photons is dealt to the lights in proportion. If this half has more than
+ * three quarters of the records, because few paths left them, every second
+ * record is left out instead. So the number of photons used is about the
+ * maximum or less however dense the photons are, for example where a beam meets
+ * a wall, and a sum over the photons times the factor is without bias. The
+ * number can exceed the maximum at single places, because a part of the emitted
+ * photons may have left more than its share of the records there. Immutable
+ * after creation. */
 #ifndef MURK_SENSING_VICINITY_H
 #define MURK_SENSING_VICINITY_H
 
@@ -19,7 +22,7 @@
 typedef struct murk_vicinity murk_vicinity;
 
 /* Borrows map and domain. The thinned copies need about as much memory as the
- * map, at most three times. Fails with MURK_NO_MEMORY. */
+ * map, at most three times. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_vicinity_create(murk_vicinity **out,
                                  const murk_photon_map *map,
                                  const murk_domain *domain,
@@ -30,7 +33,7 @@ void murk_vicinity_destroy(murk_vicinity *vicinity); /* accepts NULL */
 typedef struct murk_around {
     size_t n;
     int level;     /* thinning level, to which the indices refer */
-    double factor; /* factor on sums of power */
+    double factor; /* factor on sums of power; 0 without other photons */
 } murk_around;
 
 /* In place of an emitted photon: none is left out. */

@@ -82,8 +82,9 @@ murk_problem murk_sparse_matrix_problem(murk_sparse_matrix *matrix,
 /* ---- writing: each file complete or not at all (base/file.h) ---- */
 
 /* Writes sparse CSV, which murk_sparse_matrix_read() reads back to the same
- * rows, columns, clarities and weights (if there is an entry and a weight above
- * 0). Costs and names of columns are not written. */
+ * rows, columns, clarities and weights, if there is an entry and a weight above
+ * 0. Whole weights that add up to more than 2^46 are scaled down and rounded in
+ * reading. Costs and names of columns are not written. */
 murk_status murk_sparse_matrix_write_csv(const murk_sparse_matrix *matrix,
                                          const char *path, murk_error *err);
 
