@@ -209,8 +209,9 @@ typedef struct murk_context_options {
 } murk_context_options;
 
 /* Creates a context, which all other handles are made in; options NULL: zeros.
- * Fails with MURK_BAD_VALUE if options->imports is no value of murk_imports,
- * and with MURK_RUN_FAILED if the machine refuses the threads. */
+ * Fails with MURK_BAD_VALUE if options->imports or options->line is no value of
+ * the enumeration or if both `line` and `progress` are given, and with
+ * MURK_RUN_FAILED if the machine refuses the threads. */
 murk_status murk_context_create(murk_context **out,
                                 const murk_context_options *options,
                                 murk_error *error);
@@ -304,16 +305,19 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
                                 size_t n_materials, void (*release)(void *user),
                                 void *user, murk_error *error);
 
-/* Adds a grid that the key `vdb` of a medium takes as "memory:NAME".
+/* Adds a grid that the key `vdb` of a medium takes as "memory:NAME". A grid of
+ * albedos must be a file.
  *
  * values: nx x ny x nz, floats or doubles, finite, at least 0. Value (i, j, k)
- * fills the cell around the point index_to_world * (i, j, k, 1); index_to_world
- * is 3 x 4, row by row, in metres. Replaces an array of the same name. release
- * NULL: the values are copied; else they must be dense floats with x fastest
- * (stride[0] = 4), are used in place, and release(user) is called as for a
- * mesh. If the call fails, release is not called. Fails with MURK_BAD_VALUE if
- * the name, the type or the order is wrong, if there are no values, or if a
- * value is negative or not finite. */
+ * fills the cell around the point index_to_world * (i, j, k, 1), or with
+ * `interpolation: linear` is the value at that point. index_to_world is 3 x 4,
+ * row by row, in metres, and must be invertible, which murk_world_create()
+ * checks. Replaces an array of the same name. release NULL: the values are
+ * copied; else they must be dense floats with x fastest (stride[0] = 4), are
+ * used in place, and release(user) is called as for a mesh. If the call fails,
+ * release is not called. Fails with MURK_BAD_VALUE if the name, the type or the
+ * order is wrong, if there are no values, or if a value is negative or not
+ * finite. */
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 const murk_array *values,
                                 const double index_to_world[12],
@@ -430,9 +434,10 @@ typedef struct murk_save_options {
  * `report` (the path of the page), `bytes`, `photons`, `photons_shown`,
  * `sensors_shown`, `identity` and `files`, valid until the next call of this
  * function with the context. Fails with MURK_BAD_FILE if the folder holds no
- * results or a malformed file, with MURK_BAD_VALUE or MURK_RUN_FAILED if the
- * page cannot be written, and with MURK_INTERRUPTED if the call is
- * cancelled. */
+ * results or a malformed file, with MURK_BAD_VALUE if the results are of
+ * another major or minor version, with MURK_BAD_VALUE or MURK_RUN_FAILED if the
+ * page cannot be written, and with MURK_INTERRUPTED if the call is cancelled.
+ */
 murk_status murk_context_write_report(murk_context *context, const char *folder,
                                       const char *page,
                                       const murk_save_options *options,
@@ -441,18 +446,19 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
 
 /* ---- presets ---- */
 
-/* *fields: what a preset of media, "fog/kruse", comes to, as murk media:
- * `murk` (the version), `preset`, `about`, `wavelength_nm` (the range), `words`
- * (of each word `value`, `default`, `least`, `most` and `unit`), `bands` (of
- * each band `band_nm`, the extinction, absorption and scattering coefficient
- * [1/m], the albedo, the mean cosine and `phase`, the kind of phase function),
+/* *fields: what a preset of media, "fog/kruse", comes to, as murk media: `murk`
+ * (the version), `preset`, `about`, `wavelength_nm` (the range), `words` (of
+ * each word `value`, `default`, `least`, `most` and `unit`), `bands` (of each
+ * band `band_nm`, the extinction, absorption and scattering coefficient [1/m],
+ * the albedo, the mean cosine and `phase`, the kind of phase function),
  * `sources`, `doubts`, `identity` and `files`, which is empty. key[n] and
  * value[n]: keys of the medium and their values, "visibility_m" and "50", or
  * bands_nm, band_edges_nm and seed of the scene, as murk_scene_set() takes
  * them. name NULL: `presets`, the list of all, for which n is 0. options:
  * `asked` alone is used, for `identity`; NULL: zeros. The fields are valid
  * until the next call of this function with the context. Fails with
- * MURK_BAD_VALUE if there is no such preset or key, or if a value is wrong. */
+ * MURK_BAD_VALUE if there is no such preset or key, or if a value is wrong, and
+ * with MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_context_preset(murk_context *context, const char *name,
                                 const char *const *key,
                                 const char *const *value, size_t n,
@@ -476,10 +482,9 @@ typedef struct murk_profile_options {
 
 /* Reads a measured profile of a coefficient [1/m] from the CSV file `csv`,
  * whose columns murk-media(5) describes, and writes the profile to the file
- * `grid`
- * (.vdb), which the key `vdb` of a medium with extinction_per_m 1 takes. The
- * grid is one voxel wide, its top is the highest place of the profile, and the
- * optical depth of each voxel is that of the profile. options NULL: zeros.
+ * `grid` (.vdb), which the key `vdb` of a medium with extinction_per_m 1 takes.
+ * The grid is one voxel wide, its top is the highest place of the profile, and
+ * the optical depth of each voxel is that of the profile. options NULL: zeros.
  * save: `replaces`, without which a file that murk did not write is not
  * replaced, and `asked`, a text that stands for the input in `identity`, are
  * used; NULL: zeros, and `identity` follows from the contents of the CSV file
@@ -549,10 +554,12 @@ typedef struct murk_world murk_world;
  * sources. With conditions to place over (the key placement.over), the world is
  * built by the first call that needs it instead. The options of the context say
  * which process reads mesh and grid files. Fails as murk_scene_check(), with
- * MURK_BAD_FILE if a mesh, a grid or the table of a phase function is missing,
- * malformed or larger than the limits, with MURK_RUN_FAILED if the process
- * that reads a file cannot be started or ends without an answer, and with
- * MURK_INTERRUPTED if the call is cancelled. */
+ * MURK_BAD_VALUE if parts of the scene do not fit each other, such as a region
+ * of interest outside of the domain, with MURK_BAD_FILE if a mesh, a grid or
+ * the table of a phase function is missing, malformed or larger than the
+ * limits, with MURK_RUN_FAILED if the process that reads a file cannot be
+ * started or ends without an answer, and with MURK_INTERRUPTED if the call is
+ * cancelled. */
 murk_status murk_world_create(murk_world **out, murk_scene *scene,
                               murk_error *error);
 void murk_world_destroy(murk_world *world);
@@ -797,8 +804,9 @@ typedef struct murk_coverage murk_coverage;
 /* Measures what sensors see of a light, as murk sense. The sensors are copied.
  * Fails with MURK_BAD_VALUE if there are no sensors although there is something
  * to see, or if the sensors are of another world than the light, with
- * MURK_BAD_FILE if the table of the targets is missing or malformed, and with
- * MURK_INTERRUPTED if the call is cancelled. */
+ * MURK_BAD_FILE if the table of the targets is missing or malformed, with
+ * MURK_RUN_FAILED if no photon or target has weight or a region of interest
+ * holds none, and with MURK_INTERRUPTED if the call is cancelled. */
 murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   const murk_sensors *sensors,
                                   murk_error *error);
@@ -903,7 +911,8 @@ typedef struct murk_study_options {
     const char *folder;     /* keeps the finished rows, which a later study with
                              * this folder does not run again, and the grids of
                              * rows; NULL: nothing is kept */
-    bool replaces;          /* also grids that murk did not write */
+    bool replaces;          /* rows may replace grids in the folder that murk
+                             * did not write */
     size_t n;               /* keys that are set in the scene of each row: */
     const char *const *key; /* [n] paths of keys; paths and values are as
                              * murk_scene_set() takes them */
@@ -986,9 +995,11 @@ murk_status murk_fit_check_save(murk_fit *fit, const char *folder,
                                 murk_error *error);
 
 /* Finds the values of the keys, as murk fit. Fails with MURK_BAD_VALUE if the
- * fit has run already, with MURK_RUN_FAILED if the search cannot begin, with
- * MURK_BAD_FILE if options->next asks for places and a table of candidates is
- * missing or malformed, and with MURK_INTERRUPTED. */
+ * fit has run already, if the scene has too few photons for a fit, or if the
+ * fit would take more memory than is free, with MURK_UNSUPPORTED if the scene
+ * has `outside: continued` and readings need light, with MURK_RUN_FAILED if the
+ * search cannot begin, with MURK_BAD_FILE if options->next asks for places and
+ * a table of candidates is missing or malformed, and with MURK_INTERRUPTED. */
 murk_status murk_fit_run(murk_fit *fit, murk_error *error);
 void murk_fit_destroy(murk_fit *fit);
 

@@ -9,11 +9,11 @@
 murk_session murk_world_session(const murk_world *world);
 
 /* The options as this library knows them: the members that the struct of the
- * caller has, and zeros; NULL, and options that murk_save_set() refuses:
- * zeros. */
+ * caller has, and zeros; NULL, and a struct that murk_save_check_options()
+ * refuses: zeros. */
 murk_save_options murk_save_known(const murk_save_options *options);
 
-/* Fails as murk_save_set() if the struct of options is refused. */
+/* Fails as murk_options_copy() if the struct of options is refused. */
 murk_status murk_save_check_options(const murk_save_options *options,
                                     murk_error *err);
 
@@ -28,11 +28,14 @@ murk_status murk_save_set(murk_session *session, const char *folder,
 murk_status murk_save_without_exports(const murk_session *session,
                                       const char *of, murk_error *err);
 
-/* Checks, before light is traced, that the results of a command ("trace",
- * "sense" or "place") on the scene of the session can be written: that the
- * scene allows the exports and the repeats (runs; 0: none), and that no file is
- * in the folder that may not be replaced. Begins the folder of
- * session->results, which murk_results_end() ends, also after a failure. */
+/* Checks that the results of a command ("trace", "sense" or "place") on the
+ * scene of the session can be written: that the scene allows the command, the
+ * exports and, for "place", the repeats (runs; 0: none), and that each result
+ * file may replace the file of the same name in the folder. Needs no light, so
+ * it is called before light is traced, and again when results are saved. Begins
+ * the folder of session->results, which murk_results_end() ends, also after a
+ * failure. Fails as murk_results_begin() and murk_results_expect(), and with
+ * MURK_BAD_VALUE if the scene does not allow what is asked for. */
 murk_status murk_save_check(murk_session *session, const char *command,
                             uint64_t runs, murk_error *err);
 
@@ -53,8 +56,9 @@ murk_status murk_save_alone(murk_fields *fields, cJSON *root,
                             const murk_save_options *options, const char *of,
                             const char *file, murk_error *err);
 
-/* Adds the results of a handle to the files of a session. If an export cannot
- * be made, *late has the error, and the other files are added all the same. */
+/* Adds the results of a handle to the files of a session, the main JSON last by
+ * murk_session_finish(). If an export cannot be made, *late has the error, and
+ * the other files are added all the same. */
 typedef murk_status murk_save_work(void *of, murk_session *session,
                                    const murk_save_options *options,
                                    murk_error *late, murk_error *err);

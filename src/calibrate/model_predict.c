@@ -1,6 +1,7 @@
 /* Evaluates the forward model: rows that need light by re-weighting plus the
  * linear effect of world keys, transmittance along beams exactly, then factors
- * of readings. Also computes the noise of the last prediction. */
+ * of readings. Also computes, for the last prediction, the covariance of the
+ * rows that need light and the contributions of the runs of photons to them. */
 #include "calibrate/beams.h"
 #include "calibrate/model_parts.h"
 #include "calibrate/world_slopes.h"

@@ -1,12 +1,13 @@
 /* Re-weights contributions to other parameters: the ratio of weights of each
  * contribution and the derivatives of the ratio.
  *
- * The ratio is that of calibrate/histories.h. For a chord the ratio is the mean
- * along the chord, (1 - exp(-x)) / x with x the sum over media of (sigma_t' -
- * sigma_t) times the density path of the chord. The mean is exact if the
- * density is even across the sphere of the receiver; otherwise the relative
- * error is x times the relative distance of the centre of density from the
- * middle of the chord. */
+ * The ratio is that of calibrate/histories.h. For a chord it is the ratio at
+ * the point of entry times the mean of the attenuation along the chord, (1 -
+ * exp(-x)) / x with x the sum over media of (sigma_t' - sigma_t) times the
+ * density path of the chord. The mean is exact if the density is even across
+ * the sphere of the receiver; otherwise the relative error is, for small x, x
+ * times the distance of the centre of density from the middle of the chord, as
+ * a share of the length of the chord. */
 #ifndef MURK_CALIBRATE_REWEIGH_H
 #define MURK_CALIBRATE_REWEIGH_H
 
@@ -24,19 +25,20 @@ typedef struct murk_reweighed {
     double *slope; /* [keys][n]; derivatives of ratio */
     double effective_share; /* effective share (Kish): (sum r)^2 / (n sum r^2),
                              * each contribution weighted by its traced value; 1
-                             * if nothing changed. The smallest over receivers
-                             * and maps */
+                             * if nothing changed, 0 if all r are 0. The
+                             * smallest over receivers and maps */
     size_t capacity;        /* internal: of slope */
 } murk_reweighed;
 
 /* Re-weights histories traced at `traced` to the optics `at`, into the result
- * of an earlier call, or into zeros; arrays are reused if they are large
- * enough. sides[keys] belong to the parameters; low NULL: the parameter has no
- * effect here (slope 0). The wanted scene may differ in optics alone, in
- * recorded media alone, and in phase functions only if cosines were stored.
- * Fails if scattering, extinction or power is wanted that the traced light did
- * not have, when out of memory, and when interrupted. The result has the same
- * bits for any number of threads. Release also after a failure. */
+ * of an earlier call, or into zeros; the arrays are reused if n is the same and
+ * there is room for the slopes. sides[keys] belong to the parameters; low NULL:
+ * the parameter has no effect here (slope 0). The wanted scene may differ in
+ * optics alone, in recorded media alone, and in phase functions only if cosines
+ * were stored. Fails if scattering, extinction or power is wanted that the
+ * traced light did not have, when out of memory, and when interrupted. The
+ * result has the same bits for any number of threads. Release also after a
+ * failure. */
 murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
                          const murk_optics *traced, const murk_optics *at,
                          const murk_optics_sides *sides, size_t keys,

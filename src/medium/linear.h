@@ -5,10 +5,10 @@
  * The field falls to 0 in the cells around the box of active voxels. t is the
  * caller's ray parameter. Along a ray, the field in a cell is a cubic in t, so
  * the integral is exact: the length times the sum of the value in the middle
- * and 1/24 of the second derivative there, by a parameter that runs from 0 to 1
- * over the segment. A box of cells of any size, all corners of which belong to
- * the same constant nodes (tiles or empty cells of the tree), is crossed in one
- * segment.
+ * and 1/24 of the second derivative there, with respect to a parameter that
+ * runs from 0 to 1 over the segment. A box of cells of any size, all corners of
+ * which belong to the same constant nodes (tiles or empty cells of the tree),
+ * is crossed in one segment.
  *
  * For use inside src/medium only.
  *
@@ -58,10 +58,11 @@ bool murk_linear_next(murk_linear *linear);
 /* The field on the part [t0, t1] of the current segment. */
 murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1);
 
-/* Adds the integral of (scale * field + offset) over the rest of the ray to
- * *sum. True if *sum reaches the limit: then *sum is the limit, linear->ray.to
- * the ray parameter at which it is reached, and linear->value the field there,
- * which is above 0 if offset is 0. */
+/* Adds the integral of (scale * field + offset) over the whole walk to *sum. To
+ * be called once, in place of murk_linear_next(). True if *sum reaches the
+ * limit: then *sum is the limit, linear->ray.to the ray parameter at which it
+ * is reached, and linear->value the field there, which is above 0 if offset is
+ * 0. */
 bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
                            double limit, double *sum);
 
@@ -70,9 +71,10 @@ bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
 bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density);
 
 /* The part of the walk outside of leaves (linear_even.c): crosses the segment
- * that begins in the cell at[] and moves at[] beyond it. The largest box of
- * cells whose corners belong to the same constant nodes is one segment. False,
- * without a change, if a leaf takes part in that cell. */
+ * that begins in the cell at[] and moves at[] beyond it. A box of cells whose
+ * corners belong to the same constant nodes is one segment, or in empty space
+ * all cells up to the next root cell. False, without a change of at[], if a
+ * leaf takes part in that cell. */
 bool murk_linear_cross_even(murk_linear *linear);
 
 #endif

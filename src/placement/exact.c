@@ -97,8 +97,8 @@ static murk_cover *clarity_cover(const exact *e, level *l)
     return e->evaluator->is_binary ? &l->clarity_cover : &l->cover;
 }
 
-/* Of the n members, keeps those that may improve the incumbent by a fast upper
- * bound; without such bounds, all. */
+/* Of the n members, keeps those with which, by a fast upper bound on the gain,
+ * the plan may be better than the incumbent; without such bounds, all. */
 static size_t keep_promising(exact *e, const level *l, size_t n)
 {
     if (!e->evaluator->slack) {
@@ -369,7 +369,8 @@ murk_status murk_exact_search(murk_exact *out, murk_bound *bound,
         goto done;
     }
     level *root = &e.level[0];
-    /* If presolve left fewer than n candidates, take the others as well. */
+    /* If presolve has left too few candidates for a plan, take the others as
+     * well, which follow them in the array. */
     root->live_count = evaluator->presolved_count < n
                            ? evaluator->candidates
                            : evaluator->presolved_count;

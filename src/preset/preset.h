@@ -38,8 +38,9 @@ typedef struct murk_preset_angles {
     double *wavelength_nm; /* [columns] rising; NULL: one column for all
                             * wavelengths, or columns that a law selects by
                             * murk_preset_phase.column */
-    double *angle_deg;     /* [angles] as murk_phase_rows of
-                            * medium/phase_table.h requires */
+    double *angle_deg;     /* [angles] rising, the first 0..10, the last
+                            * 150..180 (murk_phase_rows of
+                            * medium/phase_table.h) */
     double *phase_per_sr;  /* [columns * angles], column by column */
 } murk_preset_angles;
 
@@ -90,10 +91,10 @@ typedef struct murk_preset_part {
     murk_preset_table table;                      /* n 0: no table */
     int times;      /* the murk_word_id by which the part is multiplied; -1:
                      * none */
-    bool scaled;    /* whether the part is scaled to the visibility of the
-                     * user */
+    bool scaled;    /* the part is scaled to the visibility, if one is given */
     bool has_phase; /* if false, the law or the mean cosine of the table gives
-                     * the phase function */
+                     * the phase function; without these the part
+                     * scatters isotropically */
     murk_preset_phase phase;
     murk_preset_angles *angles; /* columns of `phase` by wavelength; or NULL */
 } murk_preset_part;
@@ -140,7 +141,7 @@ typedef struct murk_mixture_part {
     double share;
     murk_phase_kind kind;
     double value[MURK_PHASE_NUMBERS_MAX];
-    size_t angles; /* MURK_PHASE_TABLE */
+    size_t angles; /* of a table (MURK_PHASE_TABLE), else 0 */
     double *angle_deg, *phase_per_sr;
 } murk_mixture_part;
 
@@ -170,9 +171,9 @@ typedef struct murk_preset_result {
  * `where` if a word is unknown to the preset or outside the range of the
  * preset, if several words state an amount, if a band is outside the
  * wavelengths of the preset, if parts cannot be scaled to the visibility, or if
- * a coefficient exceeds 1e9 1/m; also as laws do, and with MURK_NO_MEMORY. The
- * caller releases *out with murk_preset_result_release(); on failure *out is
- * unchanged. */
+ * a part has an extinction above 1e9 1/m; also as laws do, and with
+ * MURK_NO_MEMORY. The caller releases *out with murk_preset_result_release();
+ * on failure *out is unchanged. */
 murk_status murk_preset_evaluate(murk_preset_result *out,
                                  const murk_preset *preset,
                                  const murk_words *words,

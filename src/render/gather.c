@@ -150,8 +150,8 @@ static murk_status make(layer *out, const murk_gathering_desc *desc,
                 .min_m =
                     MIN_RADIUS * murk_length(murk_sub(box->max, box->min))};
     out->kernel = calloc(n + 1, sizeof *out->kernel);
-    /* Lay the kernels on all threads, and build the hierarchy that finds them.
-     */
+    /* Compute the kernels, in parallel over the records, and build the
+     * hierarchy that finds them. */
     if (!l.extent || !out->kernel) {
         status =
             murk_no_memory(err, "render", "for the kernels of %zu photons", n);
@@ -255,9 +255,10 @@ typedef struct asking {
     double sum;
 } asking;
 
-/* Power per steradian [W/sr] that one record sends towards the viewer: the
- * power is that of the record, the phase function or the cosine law is that of
- * the point. 0 for a later event within the cone of the point. */
+/* Power per steradian [W/sr] that one record sends towards the viewer; on a
+ * surface, by the cosine law, divided by the cosine of the direction. The power
+ * is that of the record, the phase function that of the point. In a medium 0
+ * for a later event within the cone of the point. */
 static double sent(const murk_shading_point *place, const murk_photon *p)
 {
     if (!place->phase) {

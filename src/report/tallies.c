@@ -103,7 +103,7 @@ static bool measure(part *p)
             }
             p->size[k] = i + 1 > p->size[k] ? i + 1 : p->size[k];
         }
-        /* a new band or direction, as long as there is room */
+        /* Add a new band or direction; fail if there is no room for it. */
         if (band_of(p, nm) == p->bands) {
             if (p->bands == BANDS_MAX || !isfinite(nm)) {
                 return false;

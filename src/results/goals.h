@@ -17,6 +17,9 @@ typedef struct murk_target_results {
     const murk_scene_desc *scene;
     const murk_target_facts *facts;
 } murk_target_results;
+
+/* Lists the field "targets", null if the scene has none. `of` points to a
+ * murk_target_results. */
 void murk_results_list_targets(murk_results_fields *f, const void *of);
 
 /* Prints the line about targets; nothing if there are none. */

@@ -199,8 +199,9 @@ static murk_status light_all(murk_lit_pieces *out, const murk_traced *traced,
 
 /* ---- coverage ---- */
 
-/* Fills the coverage of pieces: the weight that is seen over the weight that
- * lies on the piece. whole[] and seen[] begin as zeros. */
+/* Fills the coverage of pieces: the sum of weight times combined clarity over
+ * the sum of weight, of the records on the piece; NaN if no weight lies there.
+ * whole[] and seen[] begin as zeros. */
 static void weigh(murk_lit_pieces *out, const murk_sight *sight,
                   const murk_combined_rows *combined, const uint32_t *piece,
                   uint64_t *whole, uint64_t *seen)

@@ -294,8 +294,9 @@ static murk_status read_spectrum(murk_key_reader *walk, const murk_key *key,
 
 /* ---- lists of any length ---- */
 
-/* Reads a list into a member of the form of murk_scene_numbers, with items of
- * any type. */
+/* Reads a list into a member of the form of murk_scene_numbers: the number of
+ * items and an array of them. By the kind of the row the items are double,
+ * size_t (indices of names), char * or murk_spectrum. */
 static murk_status read_list(murk_key_reader *walk, const murk_key *key,
                              murk_yaml *node, void *member)
 {

@@ -387,7 +387,7 @@ static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
     const murk_spectrum_source source = light->cover == MURK_SCENE_CLEAR
                                             ? MURK_SPECTRUM_CLEAR_SKY
                                             : MURK_SPECTRUM_OVERCAST;
-    /* Positions of sun and moon. */
+    /* Positions of sun and moon, and the light of both under a clear sky. */
     daylight day;
     murk_body body;
     murk_moonlight moonlight;
