@@ -696,9 +696,9 @@ size_t murk_batch_count(const murk_batch *batch, murk_map map);
 murk_status murk_batch_array(murk_batch *batch, murk_map map, const char *field,
                              murk_array *view, murk_error *error);
 
-/* The power of a photon packet of a light source of the scene and a band, from
- * 0 [W]; 0 if no photon was emitted there, NaN if there is no such source or
- * band. */
+/* The power [W] of a photon packet of a light source of the scene in a band,
+ * both numbered from 0. The power is 0 if the source emitted no photon in the
+ * band, and NaN if there is no such source or band. */
 double murk_light_packet_w(const murk_light *light, int source, int band);
 
 /* Reads and writes a file of light, light.murk. Writing does not replace a file
@@ -1040,9 +1040,11 @@ typedef struct murk_picture_options {
                                   * coverage; NULL: none */
     uint64_t from_sensor; /* the picture is the view of this one of `sensors`,
                            * from 1 on: of a type with hfov and vfov that view,
-                           * of other types a view all round. Pixels and samples
-                           * are those of the camera if it is named, else 640
-                           * pixels across and 16 samples. 0: of the camera */
+                           * of other types a view all round. Width, height and
+                           * samples of 0 then mean the width and samples of the
+                           * camera if it is named, else 640 pixels and 16
+                           * samples, and a height that makes the pixels square.
+                           * 0: of the camera */
     size_t width, height; /* [pixels]; both 0: those of the camera */
     uint64_t samples;     /* of each pixel, up to 65536; 0: of the camera */
 } murk_picture_options;

@@ -1,6 +1,6 @@
 /* Photometric and quantum conversions of radiant power; base/photometry.h has
- * the sources. Within a band, the spectral integrals are sums over midpoints of
- * equal steps. */
+ * the sources. A band is divided at the ends of V and PAR; within each piece
+ * the spectral integrals are sums over midpoints of equal steps. */
 #include "base/photometry.h"
 
 #include <assert.h>
@@ -18,7 +18,8 @@
 /* Steps of the midpoint rule: V changes by at most 3 % of its maximum in 1
  * nm. */
 #define MAX_STEP_NM 1.0
-/* In one piece of a band; a wider piece has longer steps. */
+/* The largest number of steps in one piece of a band; a piece wider than this
+ * many nm has longer steps. */
 #define MAX_STEPS 20000
 
 /* The luminous efficiency V every V_STEP_NM (ISO/CIE 11664-1:2019). */

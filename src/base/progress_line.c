@@ -1,5 +1,6 @@
-/* Formats a progress line: name of the step, bar, percentage, count, times and
- * text are formatted as separate pieces and joined. */
+/* Formats a progress line, or the same facts as a sentence: the name of the
+ * step, bar, percentage, count, times and text are separate pieces, which are
+ * then joined. */
 #include "base/progress_line.h"
 
 #include "base/utf8.h"
@@ -57,7 +58,7 @@ static void make_pieces(pieces *p, const murk_progress_facts *f)
     } else {
         snprintf(p->head, sizeof p->head, "%s", f->step);
     }
-    /* Share and count. A count beyond the total is cut in the share. */
+    /* Share and count. The share of a count beyond the total is 100 %. */
     format_count(done, sizeof done, f->done);
     format_count(total, sizeof total, f->total);
     format_time(elapsed, sizeof elapsed, f->elapsed_s);

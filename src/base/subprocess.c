@@ -1,7 +1,8 @@
-/* Forks or starts the subprocess, which is limited and confined, and reads
- * chunks of bytes from a pipe until the subprocess reports its end. The parent
- * process trusts nothing that comes through the pipe: it checks kinds and
- * sizes, and gives up at a deadline. */
+/* Runs a parser in a limited and confined subprocess, a fork or murk-reader,
+ * and reads chunks of bytes from a pipe until the subprocess reports its end.
+ * The parent process checks the kinds and sizes of the blocks in the pipe, and
+ * gives up reading at a deadline. If the host trusts the files, the parser runs
+ * in the calling process instead, without limits and confinement. */
 #include "base/subprocess.h"
 
 #include "base/c_locale.h"
@@ -94,7 +95,8 @@ static verdict reserve(inbox *in, uint64_t more, uint64_t max)
     in->capacity = capacity;
     return RECEIVED;
 }
-/* Of work in the calling process. */
+
+/* Appends the bytes that work in the calling process sends. */
 static murk_status put_into(inbox *in, const void *bytes, size_t size)
 {
     if (reserve(in, size, UINT64_MAX) != RECEIVED) {
@@ -285,8 +287,10 @@ static murk_status explain(verdict v, int ended,
                      memory_gb);
 }
 
-/* Receives, then kills the subprocess unless it has sent its end or closed the
- * pipe. Reports a failure of the subprocess, or the error of the parser. */
+/* Receives, then kills the subprocess after an interrupt, at the deadline or if
+ * it has sent too much. A subprocess that has sent its end or a block of
+ * unknown kind, or has closed the pipe, is waited for without a deadline.
+ * Reports a failure of the subprocess, or the error of the parser. */
 static murk_status take_result(int fd, pid_t pid, unsigned char **out,
                                size_t *size,
                                const murk_subprocess_limits *limits,
@@ -369,7 +373,7 @@ static murk_status start(unsigned char **out, size_t *size,
                   : take_result(fd, pid, out, size, limits, where, err);
 }
 
-/* Without a subprocess, limits and confinement. */
+/* Does the work in the calling process, without limits and confinement. */
 static murk_status do_here(unsigned char **out, size_t *size,
                            const murk_subprocess_job *job, void *context,
                            murk_error *err)

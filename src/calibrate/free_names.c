@@ -166,7 +166,8 @@ static murk_status check_part(const char *path, const char *where,
                            shown[0] ? shown : "nothing");
 }
 
-/* Adds a key, or one parameter for each condition. */
+/* Adds a parameter for a key, or, if the name ends in "@each", one parameter
+ * for each condition that the readings use. */
 static murk_status add_key(murk_free_keys *keys, const char *asked,
                            murk_error *err)
 {
@@ -221,7 +222,8 @@ murk_status murk_free_add_all(murk_free_keys *keys, murk_error *err)
 
 /* ---- gains ---- */
 
-/* The first reading with a factor; of all readings, or of the fitted ones. */
+/* The first reading with the factor of number `gain`: of all readings, or with
+ * is_fitted of those that are not held out. NULL if there is none. */
 static const murk_reading *reading_of(const murk_readings *m, size_t gain,
                                       bool is_fitted)
 {
@@ -257,8 +259,9 @@ murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
                       "or more to be fitted");
 }
 
-/* Fails if a reading of light states no absolute value (in percent or relative
- * units) and the factor that it names is not free. */
+/* Fails if the first reading of a factor is a reading of light that states no
+ * absolute value (in percent or relative units), and the factor is not free.
+ * All readings of a factor have one unit, but not necessarily one kind. */
 murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 {
     const murk_readings *m = keys->desc.measured;
@@ -344,7 +347,8 @@ static bool is_meant(const murk_free_key *key, const char *name)
             (name[length] == '\0' || strcmp(name + length, "@each") == 0));
 }
 
-/* Narrows a range; the bound must lie in the range of the key. */
+/* Narrows the range of a key. The bound must lie in the range that the earlier
+ * bounds have left. */
 static murk_status narrow(murk_free_key *key, const bound *b, murk_error *err)
 {
     if ((b->low > -INFINITY && b->low < key->lower) ||

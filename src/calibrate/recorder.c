@@ -152,7 +152,7 @@ static void add_turn(const murk_recorder *r, murk_photon_history *f,
     if (!r->desc->keeps_cosines) {
         return;
     }
-    /* Store the cosine. */
+    /* Store 1 minus the cosine, which keeps the precision of small angles. */
     murk_histories *buffer = &f->buffer;
     if (f->is_short_of_memory || !murk_histories_reserve(buffer, 0, 1)) {
         f->is_short_of_memory = true;
@@ -272,8 +272,8 @@ murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
 
 /* ---- creation ---- */
 
-/* Creates the media by themselves and the index from media to recorded media.
- */
+/* Creates, for each recorded medium, a copy of the media in which this medium
+ * alone has an extinction (murk_media_single()), and fills index_of[]. */
 static murk_status make_alone(murk_recorder *r, murk_error *err)
 {
     for (int i = 0; i < MURK_MEDIA_MAX; ++i) {
@@ -313,7 +313,7 @@ murk_status murk_recorder_create(murk_recorder **out,
         f->chord =
             murk_arena_array(&r->arena, desc->receivers, sizeof *f->chord);
     }
-    /* Media by themselves, and the receivers. */
+    /* The copies of the media for density paths, and the receivers. */
     murk_status status = r->arena.is_short
                              ? murk_no_memory(err, "fit", "to trace")
                              : make_alone(r, err);

@@ -1,7 +1,8 @@
-/* The part of reading a mesh that runs in a subprocess. import.c is the only
+/* The part of reading a mesh that runs in a subprocess, or, if the host trusts
+ * the files, in the calling process (base/subprocess.h). import.c is the only
  * file of murk that calls Assimp.
  *
- * The subprocess sends, in this order: murk_import_head, float[vertices][3],
+ * The work sends, in this order: murk_import_head, float[vertices][3],
  * uint32_t[triangles][4] (three corners and the material),
  * char[materials][MURK_NAME_SIZE]. */
 #ifndef MURK_GEOMETRY_IMPORT_H

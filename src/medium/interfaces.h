@@ -8,10 +8,10 @@
  *
  * The index on a ray is that of the last listed region of the set, and 1 if the
  * set is empty: a boundary inside a region that is listed later has no effect.
- * Boundaries within MURK_INTERFACE_NEAR, times the largest coordinate of the
- * domain, of each other are crossed in one step, as for stacked slabs. A face
- * of a box or half space on a side of the domain, or beyond it, is no boundary:
- * the region continues there.
+ * Boundaries at most MURK_INTERFACE_NEAR, times the largest coordinate of the
+ * domain, behind the nearest one are crossed together with it in one step, as
+ * for stacked slabs. A face of a box or half space on a side of the domain, or
+ * beyond it, is no boundary: the region continues there.
  *
  * This file handles half spaces, boxes and spheres. Of meshes src/medium knows
  * the index only: the caller maintains their bits of the set. */

@@ -97,8 +97,8 @@ static murk_cover *clarity_cover(const exact *e, level *l)
     return e->evaluator->is_binary ? &l->clarity_cover : &l->cover;
 }
 
-/* Of the n members, keeps those with which, by a fast upper bound on the gain,
- * the plan may be better than the incumbent; without such bounds, all. */
+/* Of the n members, keeps those that may improve the incumbent according to a
+ * fast upper bound on the gain; keeps all if there is no such bound. */
 static size_t keep_promising(exact *e, const level *l, size_t n)
 {
     if (!e->evaluator->slack) {
@@ -166,7 +166,8 @@ static uint64_t bound_level(exact *e, level *l, size_t left,
     return upper;
 }
 
-/* Upper bound for plans that add candidates from number k on. */
+/* Upper bound for plans of the node that add no live candidate before number
+ * k. */
 static uint64_t rest_of(const exact *e, const level *l, size_t k, size_t left)
 {
     if (e->evaluator->set) {

@@ -1,8 +1,9 @@
 /* Dominance: candidate A dominates candidate B if A sees every photon at least
  * as clearly. The gain of A over any partial plan without A is then at least
  * that of B. If only the largest entry of a photon counts, B adds nothing to a
- * plan with A. Some best plan then consists of undominated candidates, and a
- * search needs to evaluate B only if A has the largest gain. */
+ * plan with A. Some best plan then consists of undominated candidates, unless
+ * these are fewer than the sensors of a plan, and a search needs to evaluate B
+ * only if A has the largest gain. */
 #ifndef MURK_PLACEMENT_PRESOLVE_H
 #define MURK_PLACEMENT_PRESOLVE_H
 

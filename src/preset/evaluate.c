@@ -173,9 +173,9 @@ static double extinction_at_550(const evaluation *e, bool scaled)
 }
 
 /* Scales the scaled parts to the extinction at 550 nm that is left for them:
- * the extinction of the visibility less that of the other parts. Fails with
- * MURK_BAD_VALUE if the other parts have a larger extinction than the
- * visibility, or the scaled parts have none. */
+ * the extinction that belongs to the visibility, less that of the other parts.
+ * Fails with MURK_BAD_VALUE if the extinction of the other parts alone is
+ * larger than that of the visibility, or if the scaled parts have none. */
 static murk_status scale(evaluation *e, const char *where, murk_error *err)
 {
     const double visibility_m = e->words.value[MURK_WORD_VISIBILITY][0];

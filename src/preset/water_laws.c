@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* One row for each degree: log-log interpolation between them is within 4e-5 of
+/* One row for each degree: log-log interpolation between them is within 8e-5 of
  * the formula. */
 #define PHASE_ROWS 181
 
@@ -224,9 +224,9 @@ static double particles(const daylight *d, double nm)
     return d->scattering_per_m * pow(nm / d->at_nm, -d->power);
 }
 
-/* The absorption of the constituents that gives the diffuse attenuation of a
- * row of the table; below 0 if pure water alone absorbs more than that
- * attenuation requires. */
+/* The absorption of the constituents with which water and constituents together
+ * have the diffuse attenuation of a row of the table; below 0 if pure water
+ * alone absorbs more than this attenuation allows. */
 static double beside_water(const daylight *d, size_t row)
 {
     const murk_preset_table *table = d->call->table;

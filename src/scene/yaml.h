@@ -61,8 +61,9 @@ bool murk_yaml_is_null(const murk_yaml *node); /* empty, ~ or null */
 
 /* Changes to a tree. append() takes ownership of `key` (NULL in a list) and
  * `child`, put() of `child`, also on failure. Results are NULL or false when
- * out of memory; make() borrows `source`. put() replaces the value of an
- * existing key; remove() of a missing key does nothing. */
+ * out of memory. make() borrows `source`, and a copy borrows the sources of its
+ * original; each source must outlive the nodes that have it. put() replaces the
+ * value of an existing key; remove() of a missing key does nothing. */
 murk_yaml *murk_yaml_make(murk_yaml_kind kind, const char *source);
 murk_yaml *murk_yaml_copy(const murk_yaml *root); /* NULL: out of memory */
 bool murk_yaml_append(murk_yaml *node, char *key, murk_yaml *child);

@@ -24,8 +24,9 @@
 typedef struct work {
     const murk_places *places;
     murk_sight_desc sight,
-        open; /* the description for all places, from that of the sight of
-                 plans; the same without the media, for depths */
+        open; /* sight: the description of the sight of plans, changed for
+                 places; sight_onto() puts in the maps of a piece. open: the
+                 same without attenuation by the media, for depths */
     const murk_media *media; /* media along unblocked sightlines */
     const murk_pose *pose;
     size_t sensors;
@@ -127,7 +128,7 @@ static murk_status see(const work *w, const piece *p, murk_error *err)
 }
 
 /* Sets the depth of each place: the smallest optical depth of the unblocked
- * sightlines of all sensors. */
+ * sightlines of all sensors, or INFINITY if there are none. */
 static murk_status measure_depths(const work *w, const piece *p,
                                   murk_error *err)
 {

@@ -3,7 +3,7 @@
  * candidate is a column. (In a problem the entries of a candidate are called a
  * row.) Collecting works in blocks: the entries of each block of candidates are
  * computed over all threads and then appended in order, so memory beyond the
- * result stays small. */
+ * result stays small. Also sorts the entries of a matrix by row. */
 #include "sparse/matrix.h"
 
 #include "base/interrupt.h"

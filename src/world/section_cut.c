@@ -15,7 +15,7 @@
 #define FLOOR_SAMPLES 1024
 
 /* Planes that the user has not chosen lie at multiples of this length [m] in
- * the coordinates of the user. */
+ * the coordinates of the user, unless rounding would leave the domain. */
 #define CUT_STEP_M 0.01
 
 static murk_box box_of_sites(const murk_vec3 *site, size_t sites)
