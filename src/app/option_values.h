@@ -1,11 +1,14 @@
 /* Readers of the values of options. Messages name the option, the value that
- * was found and the values that are allowed. */
+ * was found and the values that are allowed; messages about a key in the file
+ * of --set @FILE name the place in the file in place of option and value. */
 #ifndef MURK_APP_OPTION_VALUES_H
 #define MURK_APP_OPTION_VALUES_H
 
 #include "app/options.h"
 
-/* Keeps "KEY=VALUE" as one more override; `option` must outlive the options. */
+/* Adds the override "KEY=VALUE", or `value` alone if `key` is "". Copies key
+ * and value. `option` is the name of the option in messages (NULL: --set
+ * KEY=VALUE) and must outlive *out. Fails with MURK_NO_MEMORY. */
 murk_status murk_option_override(murk_options *out, const char *key,
                                  const char *value, const char *option,
                                  murk_error *err);

@@ -1,5 +1,5 @@
-/* Reading files with a size limit, and writing files that appear either
- * complete or not at all. */
+/* Reading files, writing files that appear either complete or not at all,
+ * making folders, and checksums. */
 #ifndef MURK_BASE_FILE_H
 #define MURK_BASE_FILE_H
 

@@ -1,5 +1,5 @@
 /* A request to another process as one run of bytes: blocks, each with a length,
- * taken in the order in which they were put. */
+ * taken in the order in which they were put. A parcel begins as zeros. */
 #ifndef MURK_BASE_PARCEL_H
 #define MURK_BASE_PARCEL_H
 
@@ -9,8 +9,9 @@
 typedef struct murk_parcel {
     unsigned char *bytes;
     size_t size, capacity;
-    size_t at;     /* the next block to be taken */
-    bool is_short; /* a block had no memory, or is not there */
+    size_t at;     /* offset of the next block to be taken */
+    bool is_short; /* a block had no memory, is not there, or has another size
+                    * than the one asked for */
 } murk_parcel;
 
 /* murk_parcel_put() appends a block of `size` bytes. murk_parcel_put_text()

@@ -1,7 +1,7 @@
 /* Parses the names of free parameters: keys of the scene, keys with a value for
  * each condition ("@each"), and factors of readings ("gain.NAME"); and bounds
- * "KEY=LOW:HIGH", which apply to all parameters of that key. Also finds the
- * conditions that the data use. */
+ * "KEY=LOW:HIGH", which apply to all parameters of that key, or to one of them
+ * ("KEY@CONDITION"). Also finds the conditions that the data use. */
 #include "calibrate/free_names.h"
 
 #include "base/log.h"
@@ -79,7 +79,8 @@ static const char *condition_text(const murk_free_keys *keys, size_t c)
     return keys->condition_name[c][0] ? keys->condition_name[c] : "scene";
 }
 
-/* Adds a parameter; fails if the key or factor is free already. */
+/* Adds a parameter; fails if the factor, or the key in the same condition, is
+ * free already, or if there are MURK_FREE_MAX parameters. */
 static murk_status add(murk_free_keys *keys, const char *name, const char *path,
                        size_t condition, size_t gain, murk_error *err)
 {

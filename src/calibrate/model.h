@@ -4,8 +4,8 @@
  * Light is traced at one set of values (murk_model_trace()) and re-weighted to
  * others (calibrate/reweigh.h). Keys that change the world itself act on light
  * rows linearly, with slopes from differences of light that is traced at other
- * values with the same seed. Transmittance along beams is exact at any values.
- */
+ * values with the same seed. Transmittance along beams is computed without
+ * photons at any values, with the meshes of the world that was built last. */
 #ifndef MURK_CALIBRATE_MODEL_H
 #define MURK_CALIBRATE_MODEL_H
 
@@ -43,7 +43,7 @@ typedef struct murk_model_facts {
                              last */
     double memory_bytes;  /* of the fit, as forecast by the first trace; 0:
                            * not yet */
-    double trace_s;
+    double trace_s; /* time of all traces, the building of worlds included */
 } murk_model_facts;
 
 /* Creates a model; no world is built yet. The objects that desc points to must
@@ -54,21 +54,25 @@ void murk_model_destroy(murk_model *model); /* NULL is fine */
 
 const murk_model_facts *murk_model_facts_of(const murk_model *model);
 
-/* The world of condition c (an index into keys->condition) that was built last.
- */
+/* The world of condition c (an index into keys->condition) that was built last,
+ * valid until the next trace; NULL before the first one. */
 const murk_stage *murk_model_stage(const murk_model *model, size_t c);
 
 /* Builds the worlds at value[keys->n] and traces the light that rows need.
  * Fails if an instrument cannot be modelled at these values and, the first
- * time, before light is traced, if the forecast exceeds the free memory. */
+ * time, before light is traced, if the forecast exceeds the free memory. Also
+ * fails as building and tracing the worlds do, and when interrupted. */
 murk_status murk_model_trace(murk_model *model, const double *value,
                              murk_error *err);
 
 /* Predicts the rows at other values: predicted[rows] in the unit of each row,
  * factors included; slope[rows][keys->n] with respect to the values of the
- * keys, or NULL. *effective_share is the smallest effective share of any
- * receiver or map of any condition (1: no re-weighting). Fails also if the
- * scene does not accept the values. Only after a trace. */
+ * keys, or NULL. *effective_share is the effective sample size of the
+ * re-weighted light as a share of the sample, the smallest of any receiver or
+ * map of any condition (1: no re-weighting; calibrate/reweigh.h). Only after a
+ * trace. Fails if the scene does not accept the values, if the traced light
+ * cannot be re-weighted to them, when out of memory, and when interrupted; the
+ * results then have no meaning. */
 murk_status murk_model_predict(murk_model *model, const double *value,
                                double *predicted, double *slope,
                                double *effective_share, murk_error *err);
@@ -83,13 +87,15 @@ murk_status murk_model_noise(const murk_model *model, double **covariance,
 /* The contributions of runs of consecutive photons to values and slopes of the
  * light rows at the last prediction, which must have been with slopes. Values
  * and slopes come from the same photons, so their errors are correlated
- * (slope_noise.h). part[runs][lights][1 + n], to be freed with free(): value,
- * then slopes; each adds up to that of the row. NULL if no row needs light. */
+ * (slope_noise.h). part[runs][lights][1 + keys->n], to be freed with free():
+ * value, then slopes. Over the runs each adds up to that of the row without the
+ * linear effect of world keys, whose slopes are 0 here. NULL if no row needs
+ * light. Fails with MURK_NO_MEMORY. */
 murk_status murk_model_parts(const murk_model *model, double **part,
                              murk_error *err);
 
 /* Relative error of the slopes of a world key at the traced values, by photons
- * and step size together, over the rows of all conditions: the square root of
+ * and step size together, over the light rows of all conditions: the root of
  * sum(error^2) / sum(slope^2). NaN for other keys, before a trace, and if no
  * row changes. */
 double murk_model_slope_error(const murk_model *model, size_t key);

@@ -22,11 +22,12 @@ typedef struct murk_condition {
     murk_stage *stage;
     murk_scene_desc *borrowed; /* owned copy of the scene, if the parts of the
                                 * stage belong to another stage; else NULL */
-    murk_traced *traced;       /* the light that chooses */
+    murk_traced *traced;       /* the light by which plans are chosen */
     bool borrows_light;        /* traced belongs to an earlier condition or to
                                   the caller */
-    murk_sight *sight;         /* sight onto the records of `traced`; NULL
-                                * before lighting and in a dark condition */
+    murk_sight *sight;         /* sight onto the records of `traced`, or onto
+                                * targets; NULL before lighting and in a dark
+                                * condition */
     murk_target_facts targets; /* points 0: photons are seen, no targets */
     /* With the objective regret, once plans are chosen, for a condition of
      * weight above 0: the coverage of the best plan known for this condition
@@ -45,7 +46,8 @@ typedef struct murk_conditions {
     size_t dark; /* number of the other conditions, which follow the first n
                   * and have no sight */
     /* [n + dark]; first the n conditions in which there is something to see,
-     * then the dark ones, each in the order of the scene. */
+     * then the dark ones, each in the order of the scene. If n is 0, those that
+     * are dark by themselves come last. */
     murk_condition condition[MURK_SCENE_CONDITIONS_MAX];
     /* With the objective regret, once the plan is measured in sample: the
      * number of the condition in which the regret of the plan is largest. */
@@ -78,10 +80,12 @@ murk_status murk_conditions_again(murk_conditions **out,
                                   murk_error *err);
 
 /* Traces the light of every condition that has none, and builds the sight of
- * the first n: fills traced, sight and targets. Unless is_scene, fails with
- * MURK_BAD_VALUE before any light is traced in full if by forecast the maps of
- * the first n conditions, equal light counted once, and the further memory of
- * one trace exceed the free memory. Fails at the end as
+ * the first n: fills traced, sight and targets. If targets replace photons and
+ * detection is not by power, the light of the scene as it stands (is_scene) is
+ * left empty. Fails as tracing and building a sight do. Unless is_scene, fails
+ * with MURK_BAD_VALUE before any light is traced in full if by forecast the
+ * maps of the first n conditions, equal light counted once, and the further
+ * memory of one trace exceed the free memory. Fails at the end as
  * murk_goals_check_seen(). */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
@@ -94,13 +98,14 @@ double murk_condition_regret(const murk_scene_desc *scene,
 
 /* One figure from the coverages of[n] of a plan, by the objective: the mean by
  * weight; the smallest coverage of the conditions that have weight; or the
- * coverage of the condition in which the regret of the plan is largest. *worst
- * is the number of that condition (for the mean: of the condition with the
- * smallest coverage). Once conditions->has_regret_at is true, the condition of
- * the largest regret is regret_at. The standard error of the result is that of
- * the single condition. For the mean it is the error of independent estimates,
- * or else the mean of the errors, which is an upper bound if the maps of the
- * conditions share random numbers. */
+ * coverage of the condition in which the regret of the plan is largest. n must
+ * be above 0. *worst is the number of that condition (for the mean: of the
+ * condition with the smallest coverage). Once conditions->has_regret_at is
+ * true, the condition of the largest regret is regret_at. The standard error of
+ * the result is that of the single condition. For the mean it is the error of
+ * independent estimates if are_independent is set, or else the mean of the
+ * errors, which is an upper bound if the maps of the conditions share random
+ * numbers. */
 murk_estimate murk_conditions_estimate(const murk_conditions *conditions,
                                        const murk_estimate *of,
                                        murk_scene_objective objective,

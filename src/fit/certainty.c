@@ -16,12 +16,12 @@
  * of its scale. */
 #define SHARE_MIN 1.5e-8 /* sqrt(DBL_EPSILON), rounded up */
 
-/* The largest error of a direction that enters a variance, in scales: no
- * parameter of murk moves further, because a key that is searched in logarithms
- * changes by a factor of 1e9 at most (MURK_FREE_REACH in
- * calibrate/search_state.c; some 21 scales). An undetermined direction enters
- * the variance of a parameter with a small component by this error, not by an
- * infinite one. */
+/* The largest error of a direction that enters a variance, in scales. A key
+ * that is searched in logarithms never moves as far, because it changes by a
+ * factor of 1e9 at most (MURK_FREE_REACH in calibrate/search_state.c; some 21
+ * scales), nor does a key with two bounds, of which the distance is the scale.
+ * An undetermined direction enters the variance of a parameter with a small
+ * component by this error, not by an infinite one. */
 #define SCALES_MAX 1e3
 
 /* The columns of the Jacobian of the free parameters, in units of the scales,

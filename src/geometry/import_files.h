@@ -25,14 +25,16 @@ typedef struct murk_import_source {
     const char *path;
     char *bytes; /* NULL: read from the disk */
     size_t size;
-    double shift[3]; /* subtracted from the vertices, in the file's units */
+    double shift[3]; /* subtracted from the vertices, in the file's units and
+                      * axes */
     murk_import_access access;
 } murk_import_source;
 
-/* Prepares the mesh file at `path`. Vertices far from the origin are shifted
- * towards 0 (geometry/import_shift.h). `allow` is a further folder whose files
- * may be opened, besides the folder of the mesh, or NULL. The memory of the
- * rewritten mesh is never freed: a subprocess reads one mesh and ends. */
+/* Prepares the mesh file at `path`, which must outlive *out. Vertices far from
+ * the origin are shifted towards 0 if the format permits it, OBJ or PLY
+ * (geometry/import_shift.h). `allow` is a further folder whose files may be
+ * opened, besides the folder of the mesh, or NULL. out->bytes belongs to the
+ * caller (free()). */
 void murk_import_source_of(murk_import_source *out, const char *path,
                            const char *allow);
 

@@ -103,10 +103,11 @@ void murk_path_pass(murk_path *path, const murk_path_boundary *boundary);
 /* A place on the ray at which the index of refraction changes. */
 typedef struct murk_path_change {
     double distance_m;
-    murk_vec3 normal; /* unit, on the side from which the ray came */
-    bool is_mesh;     /* of a mesh alone */
-    double before, beyond;
-    murk_inside inside; /* beyond */
+    murk_vec3 normal;      /* unit, on the side from which the ray came */
+    bool is_mesh;          /* of a mesh alone */
+    double before, beyond; /* indices of refraction */
+    murk_inside inside;    /* regions with a boundary that contain the ray
+                            * beyond */
 } murk_path_change;
 
 /* Follows the ray to the first change of the index of refraction beyond gone_m
@@ -137,8 +138,10 @@ typedef struct murk_path_event {
 /* The first event on the ray: the nearest surface ahead of `probe`, a point on
  * the line of the ray; or `boundary`, the next boundary (NULL: none); or the
  * side of the domain. A surface comes before a boundary that lies in the
- * surface. False if the position is not finite or is outside of the domain by
- * more than margin_m, or if each component of the direction is 0 or NaN. */
+ * surface, and a surface outside of the domain by at most margin_m comes before
+ * the side. False if the position is not finite or is outside of the domain by
+ * more than margin_m, or, for a position in the domain, if each component of
+ * the direction is 0 or NaN. */
 bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
                            const murk_path_boundary *boundary,
                            murk_path_event *event);

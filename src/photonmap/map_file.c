@@ -17,8 +17,8 @@
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
                "light.murk is little-endian");
 
-/* The byte order mark as read on a machine with the right and with the other
- * byte order. */
+/* The byte order mark as read from a little-endian file and from a big-endian
+ * one. */
 #define BYTE_ORDER_MARK    0x01020304u
 #define BYTE_ORDER_SWAPPED 0x04030201u
 
@@ -182,8 +182,8 @@ static murk_status read_header(header *head, int fd, uint64_t size,
 }
 
 /* Reads the table of sections. Fails if the checksum is wrong, if a name is
- * invalid or given twice, or unless the sizes add up to the size of the file.
- */
+ * invalid or given twice, if a member `zero` is not 0, or if the sizes do not
+ * add up to the size of the file. */
 static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
                               const header *head, const char *path,
                               murk_error *err)

@@ -12,9 +12,10 @@
 
 #include <stdio.h>
 
-/* A warning is given if the errors of more than this share of the pixels are
- * unsure (render/render.h), and at least UNSURE_MIN of them: smaller pictures
- * are smaller than the window over which errors are pooled. */
+/* A warning is given if the errors of more than this share of the pixels, and
+ * of at least UNSURE_MIN pixels, are unsure (render/render.h). At 16 samples
+ * the window over which errors are pooled has some 50 pixels: in a smaller
+ * picture errors are unsure for lack of pixels. */
 #define UNSURE_SHARE 0.25
 #define UNSURE_MIN   50
 
@@ -57,7 +58,8 @@ murk_status murk_rendering_check_memory(const murk_rendering *r,
                                         const murk_traced *light,
                                         murk_error *err)
 {
-    /* The picture, its files, and the kernels of the maps. */
+    /* The picture, its files, the coverage by sensors, and the kernels of the
+     * maps. */
     const murk_camera *c = &r->viewpoint.camera;
     double wanted =
         murk_render_bytes(c->width, c->height, scene->bands, r->method->kind);
@@ -91,9 +93,10 @@ murk_status murk_rendering_check_memory(const murk_rendering *r,
 
 /* ---- warnings ---- */
 
-/* Warns of the band and map with the fewest records that have kernels. A band
- * without such records in a map is no reason for a warning: the scene has no
- * medium, or nothing that scatters or reflects light of the band. */
+/* Warns if a map has fewer than MURK_GATHER_FEW records with kernels in a band;
+ * the message names the map and band with the fewest. A band without such
+ * records in a map is no reason for a warning: the scene has no medium, or
+ * nothing that scatters or reflects light of the band. */
 static void warn_of_few_records(const murk_rendering *r, const double *band_nm)
 {
     const murk_image *p = r->image;

@@ -21,11 +21,14 @@
  *     value <= sum w (1 - exp(-y) (1 + y - Y0))
  *              + sum_j sum w exp(-y) min(d_j, 1 + y - Y0).
  *
- * Multipliers with y below Y0 are not used: as y rises to Y0, the first sum
- * falls, each term of the second sum with d_j falls, and a term with 1 + y - Y0
- * rises by as much as the first sum falls. exp(-y) = 1 - t is exact here. y is
- * rounded down in the first sum and up in the second, sums have 128 bits and
- * are rounded up, so the bound holds in spite of rounding. */
+ * Multipliers with y below Y0 are not used. c = exp(-y) (1 + y - Y0) rises up
+ * to y = Y0 and then falls towards 0, so for each such y with c > 0 there is a
+ * larger y, above Y0, with the same c. With the larger y the first sum and the
+ * terms c of the second sum are the same, and the terms exp(-y) d_j smaller.
+ *
+ * exp(-y) = 1 - t is exact here. y is rounded down in the first sum and up in
+ * the second, sums have 128 bits and are rounded up, so the bound holds in
+ * spite of rounding. */
 #ifndef MURK_PLACEMENT_MULTIPLIERS_H
 #define MURK_PLACEMENT_MULTIPLIERS_H
 

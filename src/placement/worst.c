@@ -35,7 +35,7 @@ typedef struct worst {
     murk_block_layouts layouts;
     murk_worst_search search;
     murk_worst_bound bound;
-    uint64_t upper; /* of the present count */
+    uint64_t upper; /* upper bound for the present count */
 } worst;
 
 /* The smallest worth of the blocks with all candidates chosen. */
@@ -94,7 +94,7 @@ static bool try_trial(worst *w, size_t n)
     return keep_trial(w, n, value, true);
 }
 
-/* Greedy for one objective. */
+/* Greedy for one objective; for MURK_PLACE_BEST also relocated. */
 static void greedy_and_keep(worst *w, const murk_block_objective *by, size_t n)
 {
     const uint64_t value =

@@ -37,7 +37,7 @@ murk_key_position murk_key_path_member(const murk_key_position *at,
 /* Replaces one value for all bands by a list with the value for each of
  * `bands`, so that a single band can be set: a resolved scene contains equal
  * values of all bands only once. False if the node is no such value, or when
- * out of memory. */
+ * out of memory, which may leave the list incomplete. */
 bool murk_key_path_spread(const murk_key_position *at, size_t bands);
 
 #endif

@@ -114,7 +114,8 @@ typedef struct murk_scene_medium {
     size_t n_phases;   /* 1: the same in all bands; otherwise one per band */
     char *vdb;         /* path from the working folder; NULL: no grid of
                         * densities */
-    char *grid;        /* name; NULL: the only grid of the file, or `density` */
+    char *grid;        /* name; NULL: the only density of the file, or the one
+                        * named `density` */
     bool is_linear;    /* interpolation: linear; false: nearest */
     char *albedo_grid; /* name; NULL: the constant `albedo` */
     char *albedo_vdb;  /* file of the albedo grid; NULL: no albedo grid */
@@ -143,7 +144,8 @@ typedef struct murk_scene_site {
     bool has_latitude, has_longitude, has_altitude, has_pressure, has_time;
     double latitude_deg, longitude_deg; /* north and east positive */
     double altitude_m;
-    double pressure_hpa; /* computed from the altitude unless has_pressure */
+    double pressure_hpa; /* no meaning unless has_pressure: the pressure then
+                          * follows from the altitude (world/sky.c) */
     double temperature_c;
     double unix_s; /* seconds since 1970, UTC; no meaning unless has_time */
     int zone_min;  /* of local clocks, minutes east of Greenwich */
@@ -430,7 +432,7 @@ typedef struct murk_scene_placement {
     bool has_start;
     murk_vec3 start; /* explore: the first position */
     uint64_t restarts, nodes;
-    bool balanced; /* weights */
+    bool balanced; /* weights: balanced; false: the two weights below */
     double weight_surface, weight_volume;
     murk_scene_interest *interest; /* at most 64 */
     size_t n_interests;
@@ -446,7 +448,8 @@ typedef struct murk_scene_placement {
     bool relative_regret; /* regret: relative */
 } murk_scene_placement;
 
-/* Each condition has a traced light of its own; 16 bounds memory and time. */
+/* Each condition may have a traced light of its own; 16 bounds memory and time.
+ */
 #define MURK_SCENE_CONDITIONS_MAX 16
 
 typedef struct murk_scene_desc murk_scene_desc;
@@ -514,16 +517,17 @@ struct murk_scene_desc {
     char *light_key; /* the part of the resolved scene that the traced light
                       * depends on, with names of files without folders, and
                       * the properties computed from presets. Two scenes give
-                      * the same light if their keys and the checksums of those
-                      * files are equal */
+                      * the same light if their keys, the checksums of those
+                      * files, and the files that their meshes name (buffers of
+                      * glTF, mtllib of OBJ) are equal */
     char *world_key; /* light_key without the keys `lights` and `site`: if two
-                      * scenes have the same world_key and files with equal
-                      * checksums, their light differs only by the light
+                      * scenes have the same world_key and equal files, as for
+                      * light_key, their light differs only by the light
                       * sources */
     char *whole_key; /* the resolved scene and conditions, with names of files
                       * without folders, and the properties computed from
                       * presets. Two scenes give the same results if their keys
-                      * and the checksums of those files are equal */
+                      * and their files, as for light_key, are equal */
     murk_scene_idle *idle; /* [idles] keys without effect in the scene and in
                             * every condition, and media that no region uses */
     size_t idles;

@@ -1,7 +1,8 @@
-/* Finds the k nearest photons of the same band and side by queries of the
- * kd-tree for 2 k, 4 k, .. nearest photons, until k of them are of that kind,
- * or until the maximum radius or 32 k photons are reached. In a periodic domain
- * the nine nearest images are queried and merged. */
+/* Finds the k nearest photons of the same band and side, and of other emitted
+ * photons, by queries of the kd-tree for 2 k, 4 k, .. nearest photons, until k
+ * of them are of that kind, or until the maximum radius or 32 k photons are
+ * reached. In a periodic domain nine images of the place are queried and the
+ * results merged. */
 #include "sensing/neighbours.h"
 
 #include "base/sort.h"
