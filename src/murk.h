@@ -179,8 +179,9 @@ typedef enum murk_imports {
     MURK_IMPORTS_FORK, /* forks of the process, likewise: needs no program, but
                         * is safe only while the process has one thread */
     MURK_IMPORTS_IN_PROCESS /* the process itself, without limits: for files
-                             * that are trusted; a row that crashes or takes too
-                             * much memory ends the process */
+                             * that are trusted; a malformed file may end the
+                             * process, and so does a row that crashes or takes
+                             * too much memory */
 } murk_imports;
 
 /* Whether the library draws the progress of long steps as a line on standard

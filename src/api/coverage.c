@@ -186,7 +186,7 @@ static murk_status make_matrix(murk_coverage *coverage, murk_error *err)
         murk_sparse_row seen;
         murk_sight_row(sight, 0, &coverage->pose[k], &seen);
         for (size_t i = 0; i < seen.seen; ++i) {
-            row[seen.photon[i]] = seen.clarity[i];
+            row[seen.photon[i]] = seen.clarity ? seen.clarity[i] : MURK_CLEAR;
         }
     }
     return coverage->matrix ? MURK_OK

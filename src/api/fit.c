@@ -12,6 +12,7 @@
 #include "results/fit.h"
 #include "world/stage_build.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -279,8 +280,12 @@ static void tell_step(void *context, size_t start, size_t traces, int iteration,
 static void tell_memory(void *context, double bytes, double have_bytes)
 {
     (void)context;
-    murk_progress_text("takes about %.2g GB of %.3g GB free", bytes / 1e9,
-                       have_bytes / 1e9);
+    if (isfinite(have_bytes)) { /* what is free is known */
+        murk_progress_text("takes about %.2g GB of %.3g GB free", bytes / 1e9,
+                           have_bytes / 1e9);
+    } else {
+        murk_progress_text("takes about %.2g GB", bytes / 1e9);
+    }
 }
 
 /* Fits, or predicts; then proposes places for further readings, if any are

@@ -22,7 +22,9 @@ static void format_count(char *out, size_t size, uint64_t n)
         snprintf(out, size, "%llu", (unsigned long long)n);
         return;
     }
-    const int exponent = (int)floor(log10((double)n));
+    /* 9.995 and more would be rounded to 10.00. */
+    const int floored = (int)floor(log10((double)n));
+    const int exponent = floored + ((double)n >= 9.995 * pow(10, floored));
     snprintf(out, size, "%.2fe%d", (double)n / pow(10, exponent), exponent);
 }
 

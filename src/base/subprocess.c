@@ -74,7 +74,8 @@ typedef enum verdict {
     CUT_SHORT = MURK_PIPE_CUT_SHORT,
     TOO_LONG = MURK_PIPE_TOO_LONG,
     STOPPED = MURK_PIPE_STOPPED,
-    TOO_MUCH
+    TOO_MUCH,
+    NO_MEMORY /* of this process */
 } verdict;
 
 static verdict reserve(inbox *in, uint64_t more, uint64_t max)
@@ -89,7 +90,7 @@ static verdict reserve(inbox *in, uint64_t more, uint64_t max)
     const size_t capacity = need + need / 2 + 64;
     unsigned char *grown = realloc(in->bytes, capacity);
     if (!grown) {
-        return TOO_MUCH;
+        return NO_MEMORY;
     }
     in->bytes = grown;
     in->capacity = capacity;
@@ -213,6 +214,18 @@ static void say_unconfined(void)
     }
 }
 
+/* Makes an error whose bytes may be any a struct with texts that end and a code
+ * that exists. */
+static void confine(murk_error *err)
+{
+    err->where[sizeof err->where - 1] = '\0';
+    err->text[sizeof err->text - 1] = '\0';
+    const long code = (long)err->code;
+    if (code < MURK_OK || code > MURK_INTERRUPTED) {
+        err->code = MURK_BAD_FILE;
+    }
+}
+
 static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
                        murk_error *err)
 {
@@ -226,7 +239,9 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
             return v;
         }
         if (h.kind == END && h.size == sizeof *err) {
-            return (verdict)murk_pipe_read(fd, err, sizeof *err, deadline_s);
+            v = (verdict)murk_pipe_read(fd, err, sizeof *err, deadline_s);
+            confine(err);
+            return v;
         }
         if (h.kind == UNCONFINED) {
             say_unconfined();
@@ -264,6 +279,9 @@ static murk_status explain(verdict v, int ended,
     if (v == STOPPED) {
         return murk_fail(err, MURK_INTERRUPTED, where, "interrupted");
     }
+    if (v == NO_MEMORY) {
+        return murk_no_memory(err, where, "for what its reader has read");
+    }
     if (v == TOO_MUCH) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "holds more than %.3g GB, malformed or too large",
@@ -287,10 +305,9 @@ static murk_status explain(verdict v, int ended,
                      memory_gb);
 }
 
-/* Receives, then kills the subprocess after an interrupt, at the deadline or if
- * it has sent too much. A subprocess that has sent its end or a block of
- * unknown kind, or has closed the pipe, is waited for without a deadline.
- * Reports a failure of the subprocess, or the error of the parser. */
+/* Receives, then kills the subprocess, which has nothing left to do; one that
+ * has ended, by a crash or by itself, keeps its exit status. Reports a failure
+ * of the subprocess, or the error of the parser. */
 static murk_status take_result(int fd, pid_t pid, unsigned char **out,
                                size_t *size,
                                const murk_subprocess_limits *limits,
@@ -300,9 +317,7 @@ static murk_status take_result(int fd, pid_t pid, unsigned char **out,
     murk_error reported = {0};
     const verdict v = receive(fd, &in, limits, &reported);
     close(fd);
-    if (v != RECEIVED && v != CUT_SHORT) {
-        kill(pid, SIGKILL);
-    }
+    kill(pid, SIGKILL);
     const int ended = murk_pipe_wait(pid);
     /* A failure of the subprocess, or the error of the parser. */
     if (v != RECEIVED) {

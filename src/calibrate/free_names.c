@@ -223,14 +223,12 @@ murk_status murk_free_add_all(murk_free_keys *keys, murk_error *err)
 
 /* ---- gains ---- */
 
-/* The first reading with the factor of number `gain`: of all readings, or with
- * is_fitted of those that are not held out. NULL if there is none. */
-static const murk_reading *reading_of(const murk_readings *m, size_t gain,
-                                      bool is_fitted)
+/* The first reading that is fitted and has the factor of number `gain`; NULL if
+ * there is none. */
+static const murk_reading *fitted(const murk_readings *m, size_t gain)
 {
     for (size_t i = 0; i < m->readings; ++i) {
-        if (m->reading[i].gain == gain &&
-            !(is_fitted && m->reading[i].is_held_out)) {
+        if (m->reading[i].gain == gain && !m->reading[i].is_held_out) {
             return &m->reading[i];
         }
     }
@@ -253,27 +251,38 @@ murk_status murk_free_place_gain(murk_free_keys *keys, size_t k,
                              m->reading[i].condition == keys->condition[c];
         }
     }
-    return reading_of(m, key->gain, true)
+    return fitted(m, key->gain)
                ? MURK_OK
                : fail(keys, k, err,
                       "all readings of this factor are held out, must be one "
                       "or more to be fitted");
 }
 
-/* Fails if the first reading of a factor is a reading of light that states no
- * absolute value (in percent or relative units), and the factor is not free.
- * All readings of a factor have one unit, but not necessarily one kind. */
+/* The first reading of light with the factor of number `gain` that states no
+ * absolute value (in percent or relative units); NULL if there is none. All
+ * readings of a factor have one unit, but not necessarily one kind. */
+static const murk_reading *relative_light(const murk_readings *m, size_t gain)
+{
+    for (size_t i = 0; i < m->readings; ++i) {
+        const murk_reading *r = &m->reading[i];
+        if (r->gain == gain && murk_reading_unit_needs_gain(r->unit, r->kind)) {
+            return r;
+        }
+    }
+    return NULL;
+}
+
+/* Fails if a factor of relative_light() is not free. */
 murk_status murk_free_check_gains(const murk_free_keys *keys, murk_error *err)
 {
     const murk_readings *m = keys->desc.measured;
     for (size_t g = 0; g < m->gains; ++g) {
-        const murk_reading *reading = reading_of(m, g, false);
+        const murk_reading *reading = relative_light(m, g);
         bool is_free = false;
         for (size_t k = 0; k < keys->n; ++k) {
             is_free = is_free || keys->key[k].gain == g;
         }
-        if (!is_free &&
-            murk_reading_unit_needs_gain(reading->unit, reading->kind)) {
+        if (!is_free && reading) {
             char where[320];
             snprintf(where, sizeof where, "%.250s:%zu: gain", m->path,
                      reading->line);

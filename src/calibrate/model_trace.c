@@ -389,7 +389,7 @@ murk_status murk_model_trace(murk_model *m, const double *value,
     if (m->was_built) {
         (void)murk_warn_to(sink);
     }
-    m->was_built = true;
+    m->was_built = m->was_built || !status;
     return status;
 }
 

@@ -110,12 +110,13 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     const murk_scene_desc *scene =
         first->stage ? first->stage->scene : first->over->conditions->scene;
     /* The first run is the job that is already done. */
-    *out = (murk_repeat){.run = calloc(asked, sizeof *out->run),
-                         .asked = asked,
-                         .target = scene->sensors.target,
-                         .has_gap = !(scene->sensors.target > 0) &&
-                                    scene->placement.over !=
-                                        MURK_SCENE_OBJECTIVE_WORST};
+    *out = (murk_repeat){
+        .run = calloc(asked, sizeof *out->run),
+        .asked = asked,
+        .target = scene->sensors.target,
+        .has_gap = !(scene->sensors.target > 0) &&
+                   scene->placement.over != MURK_SCENE_OBJECTIVE_WORST &&
+                   scene->placement.over != MURK_SCENE_OBJECTIVE_REGRET};
     if (!out->run) {
         return no_memory(asked, err);
     }

@@ -39,8 +39,9 @@ typedef struct murk_repeat {
     double target; /* asked of every run; 0: none */
     /* True if the bounds of the runs estimate a gap. They do not with a target,
      * because runs then take different numbers of sensors, nor for the worst
-     * condition, because the coverage of the best plan of a sample in the worst
-     * condition may be too small. */
+     * condition or the largest regret: the coverage of the best plan of a
+     * sample in its worst condition is too small in the mean, and so may be its
+     * bound. */
     bool has_gap;
 } murk_repeat;
 

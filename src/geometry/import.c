@@ -419,6 +419,7 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
         status = send_scene(subprocess, request, &source, scene, err);
     }
     aiReleaseImport(scene);
+    free(source.bytes);
     return status;
 }
 

@@ -212,12 +212,12 @@ static murk_status build_received(murk_grid **out, const unsigned char *sent,
         copy_buffer(grid, sent + sizeof facts, size - sizeof facts, where, err);
     if (!status) {
         status = murk_tree_open(&grid->tree, grid->buffer, facts.index_min,
-                                facts.index_max, where, err);
+                                facts.index_max,
+                                is_albedo ? MURK_VDB_NO_ALBEDO : 0, where, err);
     }
     if (status) {
         goto done;
     }
-    grid->tree.elsewhere = is_albedo ? MURK_VDB_NO_ALBEDO : 0;
     /* Inactive voxels with a value often mean a mistake in the file. */
     if (facts.cleared > 0) {
         murk_warn(where,

@@ -50,12 +50,12 @@ static murk_root_cell read_cell(const unsigned char *buffer,
 
 murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
                            const int64_t first[3], const int64_t last[3],
-                           const char *where, murk_error *err)
+                           float elsewhere, const char *where, murk_error *err)
 {
-    murk_tree opened = {0};
+    murk_tree opened = {.elsewhere = elsewhere};
     if (buffer) {
-        /* The table of root cells; cells with the constant value 0 are left
-         * out. */
+        /* The table of root cells; cells that are constant, with the value
+         * elsewhere, are left out. */
         const pnanovdb_buf_t words = murk_node_buffer(buffer);
         const pnanovdb_grid_handle_t grid = {{0}};
         const pnanovdb_root_handle_t root =
@@ -69,7 +69,7 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
             const murk_root_cell cell = read_cell(
                 buffer, words, root,
                 pnanovdb_root_get_tile(PNANOVDB_GRID_TYPE_FLOAT, root, i));
-            if (cell.node || cell.value != 0) {
+            if (cell.node || cell.value != elsewhere) {
                 opened.cells[opened.n_cells++] = cell;
             }
         }

@@ -61,10 +61,11 @@ static inline void murk_cell_first(int32_t first[3], const int32_t at[3],
 
 /* Opens a NanoVDB float grid that this program has made (and that is therefore
  * trusted). `buffer` must stay valid; NULL is an empty tree. first[] and last[]
- * are the box of active voxels. Fails with MURK_NO_MEMORY. */
+ * are the box of active voxels; elsewhere: 0, or MURK_VDB_NO_ALBEDO. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
                            const int64_t first[3], const int64_t last[3],
-                           const char *where, murk_error *err);
+                           float elsewhere, const char *where, murk_error *err);
 void murk_tree_close(murk_tree *tree);
 
 /* The root cell that contains the voxel; NULL if there is none. */

@@ -158,12 +158,12 @@ static bool find_extent(const part *p, int which, char *axis, double range[2])
     int axes[2];
     const murk_tally_desc desc = {.type = MURK_TALLY_PLANE,
                                   .normal = p->asked->normal};
-    const murk_box *box = &p->scene->domain.box;
+    const murk_box box = murk_scene_user_box(p->scene, p->scene->domain.box);
     murk_tally_axes(&desc, axes);
     const int a = axes[which];
     *axis = "xyz"[a];
-    range[0] = a == 0 ? box->min.x : a == 1 ? box->min.y : box->min.z;
-    range[1] = a == 0 ? box->max.x : a == 1 ? box->max.y : box->max.z;
+    range[0] = a == 0 ? box.min.x : a == 1 ? box.min.y : box.min.z;
+    range[1] = a == 0 ? box.max.x : a == 1 ? box.max.y : box.max.z;
     return range[1] > range[0];
 }
 

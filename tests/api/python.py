@@ -163,6 +163,10 @@ def arrays():
     check(floor.values.shape == (1, 3, 2, 1, 2), "shape of a plane: band, bins, angle bins, directions")
     check(floor.values[0, :, :, 0, 0].sum() > floor.values[0, :, :, 0, 1].sum(), "more light down than up")
     check(abs(light.ledger["emitted_w"]["total"] - 10) < 1e-9 and light.ledger["imbalance_quanta"] == 0, "energy")
+    # in clear air each record that a sensor sees has the whole clarity
+    clear = {**ROOM, "media": {}, "regions": []}
+    seen = murk.Scene(clear).sense([{"type": "node", "position_m": [5, 5, 2]}])
+    check(set(numpy.unique(seen.matrix)) == {0, 65535}, "a matrix in clear air")
     # views outlive the names of all that they come from
     sum_w = float(volume["power_w"].sum())
     del light, surface, tally, floor, direction
@@ -536,7 +540,7 @@ def pickles():
     check(again[1].result == plan.result and again[1].coverage == plan.coverage, "a plan")
     check(again[2].coverage.in_sample == seen.coverage.in_sample, "a coverage")
     check(pickle.loads(pickle.dumps(copy)).ledger == light.ledger, "a pickle of a pickle")
-    for work in (copy.place, lambda: copy.save("x"), lambda: again[0].write("x"), lambda: again[1].save("x"),
+    for work in (copy.place, lambda: copy.save("x"), lambda: again[0].save("x"), lambda: again[1].save("x"),
                  lambda: copy.tally("boxes"), lambda: again[2].matrix):
         try:
             work()

@@ -1,6 +1,7 @@
 /* A child's death, greed or silence becomes one clear error, and nothing
  * else. */
 #include "base/log.h"
+#include "base/pipe.h"
 #include "base/subprocess.h"
 #include "check.h"
 
@@ -43,6 +44,31 @@ static murk_status exits(murk_subprocess *child, void *context, murk_error *err)
     (void)context;
     if (!err->code) {
         _exit(3);
+    }
+    return MURK_OK;
+}
+
+/* What a reader that has been taken over may send in place of its result, and
+ * in place of an error. */
+typedef struct lie {
+    uint32_t kind;
+    uint64_t size;
+} lie;
+
+static murk_status lies(murk_subprocess *child, void *context, murk_error *err)
+{
+    const lie *l = context;
+    static unsigned char bytes[sizeof *err];
+    (void)err;
+    memset(bytes, 'x', sizeof bytes);
+    /* The pipe is the first member of the struct. */
+    const int fd = *(const int *)(const void *)child;
+    const murk_pipe_head head = {l->kind, MURK_OK, l->size};
+    (void)murk_pipe_write(fd, &head, sizeof head);
+    (void)murk_pipe_write(fd, bytes, sizeof bytes);
+    volatile unsigned wait = 0;
+    while (wait != 1) { /* counts in twos from 0: never 1 */
+        wait += 2;
     }
     return MURK_OK;
 }
@@ -222,6 +248,17 @@ int main(void)
     err = run(floods, NULL, &limits, &bytes, &size);
     CHECK(err.code == MURK_BAD_FILE && !bytes);
     CHECK_MENTIONS(err.text, "holds more than");
+
+    /* The bytes of an error are no text: its texts end all the same. Of a
+     * message that is unknown, nothing is taken, nor is its end waited for. */
+    lie end = {0x656e6421, sizeof(murk_error)}, unknown = {7, 5};
+    err = run(lies, &end, &limits, &bytes, &size);
+    CHECK(err.code == MURK_BAD_FILE && !bytes);
+    CHECK(strspn(err.text, "x") == strlen(err.text));
+    CHECK(strlen(err.text) > 0 && strlen(err.text) < sizeof err.text);
+    err = run(lies, &unknown, &limits, &bytes, &size);
+    CHECK(err.code == MURK_BAD_FILE && !bytes);
+    CHECK_TEXT(err.where, "a.vdb");
 
     test_hostile_readers_are_confined(&limits);
     return check_done();

@@ -203,6 +203,13 @@ static void test_albedos_have_a_background(void)
     CHECK(grid && murk_grid_describe(grid)->minimum == 0);
     CHECK(grid && murk_grid_describe(grid)->maximum == 0.75);
     murk_grid_destroy(grid);
+    /* A large cell of albedo 0 is no cell without an albedo. */
+    CHECK(murk_grid_read_albedo(&grid, FOLDER "albedo_tile.vdb", NULL, "test",
+                                &err) == MURK_OK);
+    CHECK(grid && murk_grid_value(grid, 9, 4000, 17) == 0);
+    CHECK(grid && murk_grid_value(grid, -1, 0, 0) == 0.25);
+    CHECK(grid && murk_grid_value(grid, -1, 1, 0) < 0);
+    murk_grid_destroy(grid);
     refuses_albedo("albedo_above.vdb",
                    "grid albedo: 1 of 4 values are no share, the first is 1.5 "
                    "at voxel (2, 0, 0), (2, 0, 0) m; albedo must be 0..1");

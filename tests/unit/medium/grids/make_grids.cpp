@@ -119,6 +119,12 @@ int main()
     auto dark = fog("albedo", -1);
     set(dark, 0, 0, 0, 1);
     write("albedo_background.vdb", {dark});
+    /* A root tile of 4096 voxels along an edge that is black, a voxel beside.
+     */
+    auto black = fog("albedo", 0.5);
+    black->tree().fill(CoordBBox(Coord(0), Coord(4095)), 0, true);
+    set(black, -1, 0, 0, 0.25);
+    write("albedo_tile.vdb", {black});
 
     auto frustum = fog("density");
     set(frustum, 1, 1, 1, 1);
