@@ -92,6 +92,9 @@ void murk_world_destroy(murk_world *world)
 
 void murk_world_bounds(const murk_world *world, double bounds_m[6])
 {
+    for (int i = 0; i < 6 && bounds_m; ++i) {
+        bounds_m[i] = NAN;
+    }
     if (!world || !bounds_m) {
         return;
     }
@@ -99,9 +102,6 @@ void murk_world_bounds(const murk_world *world, double bounds_m[6])
     const murk_status status =
         murk_world_build((murk_world *)world, &call.failure);
     if (murk_call_end(&call, status)) {
-        for (int i = 0; i < 6; ++i) {
-            bounds_m[i] = NAN;
-        }
         return;
     }
     const murk_box box =

@@ -264,6 +264,8 @@ int main(int argc, char **argv)
     check_errors(context, scene);
     must(murk_world_create(&world, scene, &error), &error);
     double bounds[6];
+    murk_world_bounds(NULL, bounds);
+    CHECK(isnan(bounds[0]) && isnan(bounds[5]));
     murk_world_bounds(world, bounds);
     CHECK(bounds[3] == 8 && bounds[5] == 3 && murk_world_bands(world) == 1);
     must(murk_light_trace(&light, world, &error), &error);
