@@ -428,7 +428,9 @@ typedef struct murk_save_options {
 } murk_save_options;
 
 /* Writes the page of a folder of results (plan.json, ledger.json, study.json,
- * ...) to `page`, one HTML file; NULL: to report.html in the folder. Warns of
+ * ...) to `page`, one HTML file; NULL: to report.html in the folder. Arrays of
+ * the scene are in no file: the page shows them while a world or fit of the
+ * context has them. Warns of
  * files that do not belong to the results. options: `replaces`, without which a
  * file that murk did not write is not replaced, and `asked` are used, the
  * latter for `identity`; NULL: zeros. fields may be NULL; else *fields are

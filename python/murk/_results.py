@@ -150,7 +150,7 @@ def report_of(saved: Any, page: Path) -> Path:
     handle_of(saved)
     with tempfile.TemporaryDirectory(prefix="murk-") as folder:
         saved.save(folder)
-        return report(folder, page, saved.context._of_temporary_files())
+        return report(folder, page, saved.context)
 
 
 class Study(Fielded):

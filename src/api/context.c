@@ -150,6 +150,27 @@ void murk_context_release(murk_context *context)
     }
 }
 
+void murk_context_hold_arrays(murk_context *context, murk_held_arrays *held,
+                              const murk_memory_files *files,
+                              const murk_scene_desc *scene)
+{
+    if (files->n > 0) {
+        *held = (murk_held_arrays){context->held, files, scene->resolved};
+        context->held = held;
+    }
+}
+
+void murk_context_forget_arrays(murk_context *context, murk_held_arrays *held)
+{
+    murk_held_arrays **at = &context->held;
+    while (*at && *at != held) {
+        at = &(*at)->next;
+    }
+    if (*at) {
+        *at = held->next;
+    }
+}
+
 void murk_context_destroy(murk_context *context)
 {
     murk_context_release(context);

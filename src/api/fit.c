@@ -28,6 +28,7 @@ struct murk_fit {
     char *predict;                 /* path of a finished fit; NULL: fits */
     murk_memory_files files;       /* of the scene when the fit was made, and
                                     * SCENE_TEXT */
+    murk_held_arrays held;
     murk_session session;          /* owns the scene and the stage of the fit */
     murk_imported_stages imported; /* session.stage borrows from these stages */
     murk_readings *measured;
@@ -235,6 +236,8 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
         murk_fit_destroy(f);
         return status;
     }
+    murk_context_hold_arrays(f->scene->context, &f->held, &f->files,
+                             f->session.scene);
     *out = f;
     return MURK_OK;
 }
@@ -244,6 +247,7 @@ void murk_fit_destroy(murk_fit *f)
     if (!f) {
         return;
     }
+    murk_context_forget_arrays(f->scene->context, &f->held);
     murk_fields_release(&f->fields);
     murk_fields_release(&f->saved);
     murk_proposals_release(&f->next);

@@ -28,8 +28,18 @@ struct murk_fields {
     } last;
 };
 
+/* The arrays of a scene that a world or fit of the context holds, as an element
+ * of a linked list. Pages of results of that scene show these arrays. */
+typedef struct murk_held_arrays murk_held_arrays;
+struct murk_held_arrays {
+    murk_held_arrays *next;
+    const murk_memory_files *files;
+    const char *resolved; /* text of the scene */
+};
+
 struct murk_context {
     size_t references;
+    murk_held_arrays *held; /* the newest first */
     murk_host *host;
     unsigned threads;
     murk_context_options options;
@@ -68,6 +78,7 @@ struct murk_world {
     size_t references;
     murk_context *context;
     murk_memory_files files;
+    murk_held_arrays held;
     murk_scene_desc *desc;
     murk_stage *stage;
     double begun_s, load_s; /* begun_s: clock when the reading of the scene
@@ -130,6 +141,14 @@ struct murk_plan {
     murk_repeat repeat;               /* runs 0: not repeated */
     murk_fields fields, saved;
 };
+
+/* Adds the arrays of a scene, if it has any, to the list of a context, until
+ * murk_context_forget_arrays(). All three stay in place till then. */
+void murk_context_hold_arrays(murk_context *context, murk_held_arrays *held,
+                              const murk_memory_files *files,
+                              const murk_scene_desc *scene);
+/* Does nothing if they are not in the list. */
+void murk_context_forget_arrays(murk_context *context, murk_held_arrays *held);
 
 /* ---- a public call ---- */
 

@@ -3,6 +3,7 @@
 #include "api/save.h"
 
 #include "base/file.h"
+#include "base/inputs.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "report/report.h"
@@ -65,6 +66,27 @@ static void warn_of_strangers(const char *folder,
     }
 }
 
+/* The arrays of the newest world or fit of the context whose scene has the text
+ * of the folder's scene; NULL if there is none. */
+static const murk_memory_files *arrays_of(const murk_context *context,
+                                          const char *folder)
+{
+    char *path = context->held ? murk_path_join(folder, MURK_SCENE_NAME) : NULL;
+    char *text = NULL;
+    size_t size = 0;
+    const murk_held_arrays *held = NULL;
+    if (path && murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, NULL) ==
+                    MURK_OK) {
+        held = context->held;
+        while (held && strcmp(held->resolved, text) != 0) {
+            held = held->next;
+        }
+    }
+    free(text);
+    free(path);
+    return held ? held->files : NULL;
+}
+
 static murk_status write_page(murk_fields *fields, const char *folder,
                               const char *path,
                               const murk_save_options *options, murk_error *err)
@@ -102,15 +124,19 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
         return murk_save_refuse(fields, error, "context or folder is NULL");
     }
     murk_call call = murk_call_begin(context, NULL, error);
+    /* The files of the folder are results, which later calls may replace. */
+    const murk_inputs_kept kept = murk_inputs_try();
     char *path = page ? strdup(page) : murk_path_join(folder, "report.html");
     murk_status status =
         path ? murk_save_check_options(options, &call.failure)
              : murk_no_memory(&call.failure, "", "for the page");
     if (!status) {
+        context->host->files = arrays_of(context, folder);
         status = write_page(&context->reported, folder, path, options,
                             &call.failure);
     }
     free(path);
+    murk_inputs_forget(&kept);
     status = murk_call_end_long(&call, status);
     if (fields) {
         *fields = status ? NULL : &context->reported;

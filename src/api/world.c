@@ -67,6 +67,8 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
         murk_world_release(world);
         return status;
     }
+    murk_context_hold_arrays(world->context, &world->held, &world->files,
+                             world->desc);
     *out = world;
     return MURK_OK;
 }
@@ -76,6 +78,7 @@ void murk_world_release(murk_world *world)
     if (!world || --world->references > 0) {
         return;
     }
+    murk_context_forget_arrays(world->context, &world->held);
     murk_fields_release(&world->replayed);
     murk_fields_release(&world->checked);
     murk_stage_destroy(world->stage);

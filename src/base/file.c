@@ -456,7 +456,8 @@ murk_status murk_file_checksum(const char *path, uint64_t max, uint64_t out[2],
     }
     return murk_memory_is(path)
                ? murk_fail(err, MURK_BAD_FILE, path,
-                           "nothing of that name was added to the scene")
+                           "no array of that name was added to the scene; the "
+                           "program that made the scene had one")
                : checksum(path, max, out, INPUT, err);
 }
 

@@ -11,7 +11,6 @@
 
 #include "base/host.h"
 
-#include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,6 +93,31 @@ void murk_inputs_add_listed(const void *hash, size_t n)
         memcpy(&one, (const char *)hash + i * sizeof one, sizeof one);
         add(one);
     }
+}
+
+murk_inputs_kept murk_inputs_try(void)
+{
+    murk_host *host = murk_host_now();
+    const murk_inputs_kept kept = {host->inputs,
+                                   atomic_load(&host->inputs_are_full)};
+    uint64_t *hash;
+    size_t n;
+    murk_inputs_list(&hash, &n);
+    murk_inputs_begin();
+    murk_inputs_add_listed(hash, n);
+    if (kept.are_full) {
+        atomic_store(&host->inputs_are_full, true);
+    }
+    free(hash);
+    return kept;
+}
+
+void murk_inputs_forget(const murk_inputs_kept *kept)
+{
+    murk_inputs_end();
+    murk_host *host = murk_host_now();
+    host->inputs = kept->inputs;
+    atomic_store(&host->inputs_are_full, kept->are_full);
 }
 
 FILE *murk_inputs_open(const char *path)

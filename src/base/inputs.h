@@ -12,6 +12,7 @@
 #ifndef MURK_BASE_INPUTS_H
 #define MURK_BASE_INPUTS_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -23,6 +24,17 @@
  * set, every file counts as an input. murk_inputs_end() releases the set. */
 void murk_inputs_begin(void);
 void murk_inputs_end(void);
+
+/* After murk_inputs_try(), files are added to a copy of the set, which
+ * murk_inputs_forget() ends: work on files of its own does not protect these
+ * files afterwards. No subprocess of the host may run at either call. */
+typedef struct murk_inputs_kept {
+    _Atomic uint64_t *inputs; /* of the host, before */
+    bool are_full;
+} murk_inputs_kept;
+
+murk_inputs_kept murk_inputs_try(void);
+void murk_inputs_forget(const murk_inputs_kept *kept);
 
 /* Adds a file that is opened for reading, as fstat() describes it. */
 void murk_inputs_add(const struct stat *file);

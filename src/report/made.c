@@ -2,6 +2,7 @@
  * that make them again. Words of commands are quoted for a shell
  * (base/utf8.h). */
 #include "base/file.h"
+#include "base/memory_files.h"
 #include "base/utf8.h"
 #include "report/html.h"
 #include "report/sections.h"
@@ -100,16 +101,27 @@ static void write_commands(FILE *to, const murk_results_in *results)
 {
     fputs("<h3>The commands that make it again</h3>\n", to);
     const bool has_typed = write_typed(to, results);
+    /* Arrays of a program are in no file. */
+    const bool has_arrays =
+        results->scene &&
+        strstr(results->scene->resolved, MURK_MEMORY_PREFIX) != NULL;
     const bool has_scene =
         !results->json[MURK_RESULT_STUDY] && !results->json[MURK_RESULT_FIT] &&
-        murk_results_are_one_run(results) &&
+        !has_arrays && murk_results_are_one_run(results) &&
         murk_results_has(results->folder, murk_results_scene(results->folder));
+    if (has_arrays) {
+        fputs("<p>The scene has arrays of the program that made it, so that "
+              "program alone makes the results again.</p>\n",
+              to);
+    }
     if (has_scene) {
         write_resolved(to, results);
     }
     fputs(has_typed || has_scene
               ? "<p>The same program on the same kind of processor gives the "
                 "same bits for any number of threads.</p>\n"
+          : has_arrays
+              ? ""
               : "<p>The results do not say which command made them.</p>\n",
           to);
 }

@@ -268,7 +268,21 @@ def grids_and_meshes():
     scene["geometry"] = [{"file": "memory:wall", "material": "black"}]
     scene["materials"] = {"default": {"diffuse": 0}, "black": {"diffuse": 0}}
     scene.add_mesh("wall", [[5, -1, -1], [5, 1, -1], [5, 1, 1], [5, -1, 1]], [[0, 1, 2], [0, 2, 3]])
-    check(scene.trace().tally("end").values.flat[0] == 0, "a mesh stops the beam")
+    light = scene.trace()
+    check(light.tally("end").values.flat[0] == 0, "a mesh stops the beam")
+    # a page shows the arrays of its scene, again and again, and says that no command line has them
+    with tempfile.TemporaryDirectory() as folder:
+        page = os.path.join(folder, "page.html")
+        for _ in range(2):
+            light.report(page)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        check("cannot be read again" not in text and "that program alone makes the results again" in text, "a page of arrays")
+        # results may be saved again after a page was made of them
+        light.save(os.path.join(folder, "out"))
+        murk.report(os.path.join(folder, "out"))
+        other = murk.Scene({**beam, "seed": 2, "media": {"smoke": {"extinction_per_m": 1, "albedo": 0}}}).trace()
+        other.save(os.path.join(folder, "out"))
 
 
 def examples_of_arrays():
