@@ -430,10 +430,13 @@ typedef struct murk_save_options {
 /* Writes the page of a folder of results (plan.json, ledger.json, study.json,
  * ...) to `page`, one HTML file; NULL: to report.html in the folder. Arrays of
  * the scene are in no file: the page shows them while a world or fit of the
- * context has them. Warns of
- * files that do not belong to the results. options: `replaces`, without which a
- * file that murk did not write is not replaced, and `asked` are used, the
- * latter for `identity`; NULL: zeros. fields may be NULL; else *fields are
+ * context has them. Warns of files that do not belong to the results. options:
+ * `replaces`, without which a file that murk did not write is not replaced;
+ * `asked`, for `identity`; and `command`, unless NULL what made the results
+ * ("plan.report() in Python") whose folder is not kept: the page tells it in
+ * place of the folder, its files and the commands that use it. NULL: zeros.
+ * Files that are read for the page may be replaced by later calls. fields may
+ * be NULL; else *fields are
  * `report` (the path of the page), `bytes`, `photons`, `photons_shown`,
  * `sensors_shown`, `identity` and `files`, valid until the next call of this
  * function with the context. Fails with MURK_BAD_FILE if the folder holds no

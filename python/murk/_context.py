@@ -1,12 +1,13 @@
 """Contexts: threads, messages, progress and cancelling of calls."""
 from __future__ import annotations
 
+import os
 import sys
 import threading
 import warnings
 from typing import Any, Callable, Union
 
-from ._library import call, ffi, lib, string
+from ._library import call, ffi, in_python, lib, string
 
 Log = Callable[[bool, str, str], object]
 Progress = Callable[[str, int, Union[int, None], str, float], object]
@@ -22,6 +23,17 @@ def _log(user: Any, is_warning: bool, where: Any, message: Any) -> None:
 def _progress(user: Any, state: Any) -> None:
     context: Context = ffi.from_handle(user)
     context._progressed(string(state.step), state.done, state.total or None, string(state.unit), state.elapsed_s)
+
+
+def _level_of_user() -> int:
+    """The `stacklevel` of warnings.warn() in the caller that names the first line outside of this package."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(_FOLDER):
+        level, frame = level + 1, frame.f_back
+    return level
+
+
+_FOLDER = os.path.dirname(os.path.abspath(__file__)) + os.sep
 
 
 class _Line:
@@ -76,6 +88,7 @@ class Context:
     def __init__(self, threads: int = 0, log: Log | None = None, progress: Progress | bool | None = None) -> None:
         self._settings = threads, log, progress
         self._for_files: Context | None = None
+        self._warnings: list[str] = []
         self._log = log
         self._line = _Line()
         self._told: Progress = self._line
@@ -112,9 +125,13 @@ class Context:
         return self._for_files
 
     def _raise_of_callback(self) -> None:
-        """Raises the exception that a callback raised during a call that has ended; for the module itself."""
+        """Gives the warnings of a call that has ended, at the line of the user's code that made the call, and raises
+        the exception that a callback raised during the call; for the module itself."""
         self.is_cancelled_by_exception = False
         self._line.finish()
+        heard, self._warnings = self._warnings, []
+        for text in heard:
+            warnings.warn(text, stacklevel=_level_of_user())
         exception, self._exception = self._exception, None
         if exception is not None:
             raise exception
@@ -133,7 +150,7 @@ class Context:
         if self._log is not None:
             self._guard(self._log, is_warning, where, message)
         elif is_warning:
-            self._guard(warnings.warn, f"{where}: {message}" if where else message)
+            self._warnings.append(in_python(f"{where}: {message}" if where else message))
 
     def _progressed(self, *state: Any) -> None:
         self._guard(self._told, *state)

@@ -87,15 +87,21 @@ def string(chars: Any) -> str:
     return str(ffi.string(chars).decode("utf-8", "replace"))
 
 
+def in_python(text: str) -> str:
+    """A message of the library, which names settings of its C interface."""
+    return re.sub(r"options->(\w+)", r"argument \1", text)
+
+
 def _raise(status: int, error: Any) -> None:
     code = _CODES.get(status, str(status))
     if status == lib.MURK_NO_MEMORY and not string(error.text):
         raise MemoryError
     kind = Interrupted if status == lib.MURK_INTERRUPTED else Error
     where, file, key = string(error.where), string(error.file), string(error.key)
+    text = in_python(string(error.text))
     if file == DICT or where.startswith("set "):  # values of Python, whose place is the key
-        raise kind(string(error.text), code, where=key, key=key)
-    raise kind(string(error.text), code, where, file, error.line, error.column, key)
+        raise kind(text, code, where=key, key=key)
+    raise kind(text, code, where, file, error.line, error.column, key)
 
 
 # The name of a text that was made from a dict: lines and columns of it mean nothing to the caller.
@@ -155,7 +161,7 @@ def call_long(context: Context, function: Any, *arguments: Any) -> None:
         failure = work.exception()
     context._raise_of_callback()
     if failure:
-        raise failure
+        raise failure.with_traceback(None)  # frames of the thread say nothing
 
 
 def c_text(value: Path | None) -> Any:

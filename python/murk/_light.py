@@ -368,8 +368,9 @@ class Light:
         """Measures given sensors: Coverage.
 
         sensors: dicts with `type`, `position_m` [m], and `heading_deg` (clockwise from north) and `tilt_deg` (upward)
-        of types with a view; or the path of a sensors.csv or plan.json. Raises Error if a sensor does not fit the
-        scene.
+        of types with a view; or the path of a sensors.csv or plan.json. The coverage is that of this light. If the
+        sensors were chosen by light of the same seed, it reads too high: set another `seed` for a fair figure. Raises
+        Error if a sensor does not fit the scene.
 
         Example: `light.sense([{"type": "node", "position_m": [3, 4, 2]}]).coverage.in_sample`.
         """
@@ -382,7 +383,9 @@ class Light:
         method: "maps" (shadow rays, density estimate of later records), "paths" (path tracing) or "maps-only"
         (density estimate of all records). sensors, as in `sense()`: the picture gets the channels of their coverage.
         from_sensor: the view of that one of the sensors, from 1 on, in place of a camera. pixels: width and height;
-        samples: of each pixel; by default those of the camera. Raises Error if there is no such camera, sensor or
+        samples: of each pixel; by default those of the camera, of a sensor 640 pixels across and 16 samples, which may
+        take a minute. "maps" wants some 1e6 photons where a plan wants 1e4 (`photons.emit`): with few the picture is
+        blotchy. Raises Error if there is no such camera, sensor or
         method.
 
         Example: `light.render("gate").radiance[0]`.

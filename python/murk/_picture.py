@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ._light import Light, World
     from ._scene import Sensors
 
-_METHODS = {"maps": lib.MURK_METHOD_MAPS, "paths": lib.MURK_METHOD_PATHS, "maps-only": lib.MURK_METHOD_MAPS_ONLY}
+_METHODS = {"maps": lib.MURK_METHOD_MAPS, "paths": lib.MURK_METHOD_PATHS, "path": lib.MURK_METHOD_PATHS, "maps-only": lib.MURK_METHOD_MAPS_ONLY}
 _SCALES = {"auto": lib.MURK_SCALE_AUTO, "linear": lib.MURK_SCALE_LINEAR, "log": lib.MURK_SCALE_LOG}
 # Channels of murk_picture_array() with a part for each band.
 _OF_BANDS = ("radiance", "error", "surface", "volume", "depth")
@@ -134,6 +134,8 @@ class Picture:
 
         Example: `picture.save("gate.exr", png=True).mean_radiance`.
         """
+        if path is None and (png or false_colour):
+            raise Error("None, must be NAME.exr: PNG files are written beside it", where="argument path")
         kept, channel = c_text(path), c_text(false_colour)  # live as long as the call
         low, high = (0.0, 0.0) if value_range is None else value_range
         images = ffi.new("murk_image_options *",

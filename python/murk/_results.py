@@ -100,9 +100,14 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
 
     Example: `murk.report("out", "page.html")`.
     """
-    context = context or default_context()
-    call_long(context, lib.murk_context_write_report, context.c, c_text(folder), c_text(page), ffi.NULL, ffi.NULL)
+    _write_report(context or default_context(), folder, page)
     return os.path.join(os.fspath(folder), "report.html") if page is None else page
+
+
+def _write_report(context: Context, folder: Path, page: Path | None, made_by: str | None = None) -> None:
+    command = c_text(made_by)  # lives as long as the call
+    options = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "command": command})
+    call_long(context, lib.murk_context_write_report, context.c, c_text(folder), c_text(page), options, ffi.NULL)
 
 
 def reference(name: str = "scene", context: Context | None = None) -> Result:
@@ -150,7 +155,8 @@ def report_of(saved: Any, page: Path) -> Path:
     handle_of(saved)
     with tempfile.TemporaryDirectory(prefix="murk-") as folder:
         saved.save(folder)
-        return report(folder, page, saved.context)
+        _write_report(saved.context, folder, page, f"{type(saved).__name__}.report() of a program in Python")
+        return page
 
 
 class Study(Fielded):

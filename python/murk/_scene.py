@@ -161,7 +161,8 @@ class Scene:
         """Reads the whole scene and checks each value. Raises Error at the first wrong one.
 
         Meshes, grids and CSV files that keys name are not read, and candidates are not tried: `world()` reads the
-        files and builds surfaces, media and lights; `place()` tells which candidates are usable.
+        files and builds surfaces, media and lights; `place()` tells which candidates are usable. What `murk check`
+        tells and draws is `scene.world().check("drawing.png")`.
 
         Example: `scene.check()`.
         """

@@ -95,7 +95,7 @@ static murk_status write_page(murk_fields *fields, const char *folder,
     murk_report *report = NULL;
     murk_report_facts facts = {0};
     murk_progress_begin_group("report", 0, "");
-    murk_status status = murk_report_read(&report, folder, err);
+    murk_status status = murk_report_read(&report, folder, all.command, err);
     /* No page may be replaced that murk did not write. */
     if (!status) {
         facts = murk_report_describe(report);

@@ -151,7 +151,9 @@ static void list_sensors(legend *l, const murk_section_request *r)
         list(l, MURK_SYMBOL_CANDIDATE, "%zu usable candidate%s for sensors",
              r->candidates->usable, plural(r->candidates->usable));
     } else {
-        list(l, MURK_SYMBOL_NONE, "no sensors");
+        list(l, MURK_SYMBOL_NONE,
+             scene->sensors.given ? "no usable candidate for sensors"
+                                  : "no sensors");
     }
     if (scene->sensors.n_fixed > 0) {
         list(l, MURK_SYMBOL_SENSOR, "%zu fixed sensor%s",

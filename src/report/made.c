@@ -268,12 +268,20 @@ void murk_report_made(FILE *to, const murk_results_in *results,
     fputs("<section id=\"made\" data-title=\"How it was made\">\n"
           "<h2>How it was made</h2>\n",
           to);
-    write_commands(to, results);
+    if (results->made_by) {
+        fputs("<p>No folder of these results was kept: ", to);
+        murk_html_text(to, results->made_by);
+        fputs(" makes them again.</p>\n", to);
+    } else {
+        write_commands(to, results);
+    }
     for (int i = 0; i < MURK_RESULT_FILES; ++i) {
         if (is_described(results, i)) {
             write_run(to, murk_result_kinds[i].file, results->json[i]);
         }
     }
-    write_files(to, results, page);
+    if (!results->made_by) {
+        write_files(to, results, page);
+    }
     fputs("</section>\n", to);
 }

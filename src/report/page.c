@@ -193,6 +193,7 @@ static murk_status write_data(FILE *to, const murk_report *c, murk_error *err)
 static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
 {
     char name[NAME_SIZE];
+    const char *made_by = c->results.made_by;
     name_of(name, &c->results);
     write_head(to, name, c->pictures.carried > 0);
     fputs("<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n"
@@ -200,9 +201,10 @@ static murk_status write_page(FILE *to, const murk_report *c, murk_error *err)
           to);
     murk_html_text(to, name);
     fputs("</h1>\n<p class=\"note\">Light and sensors, simulated by "
-          "murk " MURK_VERSION ". Results of the folder ",
+          "murk " MURK_VERSION ". Results of ",
           to);
-    murk_html_text(to, folder_name(&c->results));
+    fputs(made_by ? "" : "the folder ", to);
+    murk_html_text(to, made_by ? made_by : folder_name(&c->results));
     /* Contents in this order: the readable part (summary, tables, pictures,
      * commands), the data, and the script, which draws from tables and data. */
     fputs(".</p>\n</header>\n<main id=\"main\" tabindex=\"-1\">\n", to);
@@ -248,7 +250,7 @@ murk_status murk_report_write(murk_report *c, const char *path, murk_error *err)
 /* ---- reading ---- */
 
 murk_status murk_report_read(murk_report **out, const char *folder,
-                             murk_error *err)
+                             const char *made_by, murk_error *err)
 {
     murk_report *c = calloc(1, sizeof *c);
     *out = c;
@@ -256,6 +258,7 @@ murk_status murk_report_read(murk_report **out, const char *folder,
         return murk_no_memory(err, "", "for the page");
     }
     murk_status status = murk_results_read(&c->results, folder, err);
+    c->results.made_by = made_by;
     if (!status) {
         c->results.strangers = murk_results_strangers(&c->results);
         /* The grids are read before there is a ray device, because subprocesses

@@ -10,12 +10,14 @@
 
 typedef struct murk_report murk_report;
 
-/* Reads the folder; `folder` is borrowed. The caller owns *out
- * (murk_report_destroy()), also after a failure. Fails as murk_results_read()
- * does, or with MURK_NO_MEMORY. To be called before the program makes a thread
- * or a ray device. */
+/* Reads the folder; `folder` is borrowed. made_by: NULL, or of a folder that is
+ * removed afterwards what made the results, borrowed: the page tells it in
+ * place of the folder, its files and the commands that use it. The caller owns
+ * *out (murk_report_destroy()), also after a failure. Fails as
+ * murk_results_read() does, or with MURK_NO_MEMORY. To be called before the
+ * program makes a thread or a ray device. */
 murk_status murk_report_read(murk_report **out, const char *folder,
-                             murk_error *err);
+                             const char *made_by, murk_error *err);
 murk_status murk_report_write(murk_report *report, const char *path,
                               murk_error *err);
 void murk_report_destroy(murk_report *report); /* NULL is fine */

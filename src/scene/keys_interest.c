@@ -2,10 +2,15 @@
  * a mesh, on a material or in a medium. */
 #include "scene/keys_rows.h"
 
+/* Gives shapes that cannot be moved the scale 1. Fails if the region says no
+ * place. */
 static murk_status check_interest(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
-    const murk_scene_interest *region = item;
+    murk_scene_interest *region = item;
+    if (region->shape != MURK_REGION_MESH) {
+        region->solid.scale = 1;
+    }
     return region->shape != MURK_REGION_EVERYWHERE || region->material >= 0 ||
                    region->medium >= 0
                ? MURK_OK

@@ -153,6 +153,15 @@ def options():
     p = Picture(json.dumps(text), *small, name="e.png")
     check(p.view["plan"]["pixels_per_m"] > 25, "things are specks", p.view["plan"])
     check(p.is_wall("plan", 0, 2.7), "no wall in a large domain")
+    # a region of interest: a dashed line through (3, 2.9), which is bare without the region
+    def purple(p):
+        x, y = p.place("plan", 3, 2.9)
+        return any(pixel[1] + 40 < min(pixel[0], pixel[2]) for row in p.rows[int(y) - 30:int(y) + 30]
+                   for pixel in row[int(x) - 2:int(x) + 3])
+    text = json.loads(scene())
+    check(not purple(Picture(json.dumps(text), "--cut", "4,1,1.5", name="g.png")), "a line of interest that is not there")
+    text["placement"] = {"interest": [{"name": "part", "box": {"min_m": [3, 2, 1], "max_m": [4.2, 3.8, 2]}}]}
+    check(purple(Picture(json.dumps(text), "--cut", "4,1,1.5", name="h.png")), "the region of interest is not drawn")
 
 
 def refusals():
@@ -180,6 +189,10 @@ def refusals():
     with open(path("mine.png"), encoding="utf-8") as file:
         check(file.read() == "my own", "a file of the user's was changed")
     check(run("scene.json", "--picture", "mine.png", "--force", "-q").returncode == 0, "--force")
+    # candidates that are all unusable are refused, and the picture that shows why is there
+    done = run("scene.json", "--picture", "why.png", "--set", "sensors.candidates.clearance_m=3")
+    check(done.returncode == 2 and "is usable" in done.stderr, "candidates of no use", done.returncode, done.stderr)
+    check(read_png(path("why.png"))[0] == 1600, "no picture of candidates that are not usable")
     check(run("scene.json", "--picture", "a.png", "-q").returncode == 0, "murk's own picture")
 
 
