@@ -89,8 +89,8 @@ void murk_calibration_judge(murk_calibration *c, const murk_free_keys *keys)
                 ? "Not well: the readings scatter about the model somewhat "
                   "more than their errors say"
             : c->p_value > 1 - REMARKABLE
-                ? "Better than it should: the readings' errors are stated "
-                  "too large"
+                ? "Yes, better than it should: the readings' errors are "
+                  "probably stated too large"
                 : "Yes: the readings scatter about the model as their errors "
                   "say",
             c->chi2, n, sqrt(2 * n), c->p_value);

@@ -12,10 +12,11 @@
  * user sets on purpose. */
 #define THIN_RATIO 10
 
-/* Text of the remedy in both warnings. */
-#define REMEDY                                                            \
-    "more photons, or placement.weights: {surface: 1, volume: 1}, which " \
-    "counts all photons alike"
+/* Remedies in both warnings. */
+#define MORE "more photons"
+#define REMEDY                                                     \
+    MORE ", or placement.weights: {surface: 1, volume: 1}, which " \
+         "counts all photons alike"
 
 static const char *const PLACE[] = {"on surfaces", "in media"};
 
@@ -83,9 +84,13 @@ void murk_warn_of_thin_map(const murk_scene_desc *scene,
 {
     char text[MURK_THIN_MAP_SIZE];
     if (murk_thin_map_text(text, sizeof text, scene, coverage, condition)) {
+        /* Other weights change nothing if the other map does not count. */
+        const int p = murk_thin_map(scene, coverage);
+        const bool has_both =
+            scene->placement.balanced && coverage->map[1 - p].weight > 0;
         murk_warn(scene->placement.where[0] ? scene->placement.where
                                             : scene->path,
-                  "weights: %s: " REMEDY, text);
+                  "weights: %s: %s", text, has_both ? REMEDY : MORE);
     }
 }
 
