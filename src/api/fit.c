@@ -236,6 +236,7 @@ murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
         murk_fit_destroy(f);
         return status;
     }
+    /* Pages of its results show the arrays of the scene. */
     murk_context_hold_arrays(f->scene->context, &f->held, &f->files,
                              f->session.scene);
     *out = f;

@@ -125,7 +125,7 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
     }
     murk_call call = murk_call_begin(context, NULL, error);
     /* The files of the folder are results, which later calls may replace. */
-    const murk_inputs_kept kept = murk_inputs_try();
+    const murk_inputs_before before = murk_inputs_try();
     char *path = page ? strdup(page) : murk_path_join(folder, "report.html");
     murk_status status =
         path ? murk_save_check_options(options, &call.failure)
@@ -136,7 +136,7 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
                             &call.failure);
     }
     free(path);
-    murk_inputs_forget(&kept);
+    murk_inputs_forget(&before);
     status = murk_call_end_long(&call, status);
     if (fields) {
         *fields = status ? NULL : &context->reported;

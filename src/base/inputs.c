@@ -95,29 +95,29 @@ void murk_inputs_add_listed(const void *hash, size_t n)
     }
 }
 
-murk_inputs_kept murk_inputs_try(void)
+murk_inputs_before murk_inputs_try(void)
 {
     murk_host *host = murk_host_now();
-    const murk_inputs_kept kept = {host->inputs,
-                                   atomic_load(&host->inputs_are_full)};
+    const murk_inputs_before before = {host->inputs,
+                                       atomic_load(&host->inputs_are_full)};
     uint64_t *hash;
     size_t n;
     murk_inputs_list(&hash, &n);
     murk_inputs_begin();
     murk_inputs_add_listed(hash, n);
-    if (kept.are_full) {
+    if (before.are_full) {
         atomic_store(&host->inputs_are_full, true);
     }
     free(hash);
-    return kept;
+    return before;
 }
 
-void murk_inputs_forget(const murk_inputs_kept *kept)
+void murk_inputs_forget(const murk_inputs_before *before)
 {
     murk_inputs_end();
     murk_host *host = murk_host_now();
-    host->inputs = kept->inputs;
-    atomic_store(&host->inputs_are_full, kept->are_full);
+    host->inputs = before->inputs;
+    atomic_store(&host->inputs_are_full, before->are_full);
 }
 
 FILE *murk_inputs_open(const char *path)

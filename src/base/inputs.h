@@ -28,13 +28,13 @@ void murk_inputs_end(void);
 /* After murk_inputs_try(), files are added to a copy of the set, which
  * murk_inputs_forget() ends: work on files of its own does not protect these
  * files afterwards. No subprocess of the host may run at either call. */
-typedef struct murk_inputs_kept {
+typedef struct murk_inputs_before {
     _Atomic uint64_t *inputs; /* of the host, before */
     bool are_full;
-} murk_inputs_kept;
+} murk_inputs_before;
 
-murk_inputs_kept murk_inputs_try(void);
-void murk_inputs_forget(const murk_inputs_kept *kept);
+murk_inputs_before murk_inputs_try(void);
+void murk_inputs_forget(const murk_inputs_before *before);
 
 /* Adds a file that is opened for reading, as fstat() describes it. */
 void murk_inputs_add(const struct stat *file);
