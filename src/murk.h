@@ -341,8 +341,10 @@ murk_status murk_scene_add_table(murk_scene *scene, const char *name,
 
 /* The fields of a result by the names of the JSON files of the program, listed
  * in murk-results(5). A path joins names and indices by dots:
- * "coverage.held_out", "sensors.0.position_m.2". A result belongs to the handle
- * that it was asked of. */
+ * "coverage.held_out", "sensors.0.position_m.2". A name may contain dots
+ * itself, such as "ground.001" of a material in
+ * "absorbed_by_material_w.ground.001.total": the longest name that leads to a
+ * value counts. A result belongs to the handle that it was asked of. */
 typedef struct murk_fields murk_fields;
 
 typedef enum murk_field_kind {

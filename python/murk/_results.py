@@ -29,12 +29,30 @@ class Result(dict):  # type: ignore[type-arg]
     def get_path(self, path: str) -> Any:
         """The value at a path, names and indices joined by dots. Raises KeyError or IndexError.
 
+        A name may contain dots itself, such as `ground.001` of a material: the longest name that leads to a value counts.
+
         Example: `plan.result.get_path("sensors.0.position_m")`.
         """
-        value: Any = self
-        for part in path.split("."):
-            value = value[int(part)] if isinstance(value, list) else value[part]
+        return _value_at(self, path.split("."))
+
+
+def _value_at(value: Any, parts: list[str]) -> Any:
+    """The value at a path from a value. Of a dict, the longest name that the parts begin with is tried first."""
+    if not parts:
         return value
+    if isinstance(value, list):
+        if not parts[0].lstrip("-").isdecimal():
+            raise KeyError(parts[0])
+        return _value_at(value[int(parts[0])], parts[1:])
+    failure: LookupError = KeyError(parts[0])
+    for n in range(len(parts), 0, -1):
+        name = ".".join(parts[:n])
+        if isinstance(value, dict) and name in value:
+            try:
+                return _value_at(value[name], parts[n:])
+            except LookupError as error:
+                failure = error
+    raise failure
 
 
 def result_of(function: Any, handle: Any) -> Result:

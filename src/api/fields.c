@@ -1,4 +1,6 @@
-/* Fields of results: JSON objects whose values are read by paths.
+/* Fields of results: JSON objects whose values are read by paths. Names that
+ * the user gives, such as the name of a material, may contain dots, which in a
+ * path look like the dots between names. find() tries the names that fit.
  * murk_fields_make() makes the object by the same table (results/fields.h) as
  * the program makes the JSON file of the result. */
 #include "api/handles.h"
@@ -8,10 +10,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define NAME_SIZE                                              \
-    128 /* of one part of a path; names of results are shorter \
-         */
 
 murk_status murk_fields_make(murk_fields *fields, murk_results_list list,
                              const void *of, murk_error *err)
@@ -76,30 +74,66 @@ static const cJSON *item_of(const murk_fields *fields, const cJSON *list, int i)
     return item;
 }
 
+/* The item of a list that the first part of a path is the index of. NULL if
+ * there is no such item. length: of the first part. */
+static const cJSON *indexed_item(const murk_fields *fields, const cJSON *list,
+                                 const char *path, size_t length)
+{
+    const size_t digits = strspn(path, "0123456789");
+    return digits > 0 && digits < 10 && digits == length
+               ? item_of(fields, list, atoi(path))
+               : NULL;
+}
+
+/* The member of an object whose name is the first `length` bytes of a path;
+ * NULL if there is no such member. */
+static const cJSON *named_member(const cJSON *object, const char *path,
+                                 size_t length)
+{
+    const cJSON *member = cJSON_IsObject(object) ? object->child : NULL;
+    while (member && (strncmp(member->string, path, length) != 0 ||
+                      member->string[length] != '\0')) {
+        member = member->next;
+    }
+    return member;
+}
+
+/* The item at a path from an item; the item itself if the path is empty. NULL
+ * if there is no such item. Of an object, the member with the longest name that
+ * the path begins with is tried first, and the member with the next shorter
+ * name if the rest of the path leads to no item of the first. */
+static const cJSON *find_from(const murk_fields *fields, const cJSON *from,
+                              const char *path)
+{
+    if (!*path) {
+        return from;
+    }
+    /* `length` is that of the name or index, and ends at a dot or at the end of
+     * the path. */
+    for (size_t length = strlen(path);;) {
+        const char *rest = path + length + (path[length] == '.');
+        const cJSON *next = cJSON_IsArray(from)
+                                ? indexed_item(fields, from, path, length)
+                                : named_member(from, path, length);
+        const cJSON *found = next ? find_from(fields, next, rest) : NULL;
+        if (found) {
+            return found;
+        }
+        do {
+            if (length == 0) {
+                return NULL;
+            }
+            --length;
+        } while (path[length] != '.');
+    }
+}
+
 /* The item at a path; the whole result if the path is NULL or empty. NULL if
  * there is no such item, or if `fields` is NULL. */
 static const cJSON *find(const murk_fields *fields, const char *path)
 {
-    const cJSON *at = fields ? fields->root : NULL;
-    while (at && path && *path) {
-        char name[NAME_SIZE];
-        const size_t length = strcspn(path, ".");
-        if (length >= sizeof name) {
-            return NULL;
-        }
-        memcpy(name, path, length);
-        name[length] = '\0';
-        if (cJSON_IsArray(at)) {
-            const size_t digits = strspn(name, "0123456789");
-            at = digits > 0 && digits < 10 && name[digits] == '\0'
-                     ? item_of(fields, at, atoi(name))
-                     : NULL;
-        } else {
-            at = cJSON_GetObjectItemCaseSensitive(at, name);
-        }
-        path += length + (path[length] == '.');
-    }
-    return at;
+    const cJSON *root = fields ? fields->root : NULL;
+    return root && path ? find_from(fields, root, path) : root;
 }
 
 murk_field_kind murk_fields_kind(const murk_fields *fields, const char *path)

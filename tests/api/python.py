@@ -588,6 +588,17 @@ def keys():
     plan = scene.place()
     check(plan.coverage.held_out == plan["coverage"]["held_out"] == plan.result.get_path("coverage.held_out"),
           "fields by attribute, item and path")
+    dotted = murk.Result({"a": murk.Result({"b.001": murk.Result(total=1), "b": [2, murk.Result(total=3)], "": 4}),
+                          "a.b": 5})
+    for path, value in (("a.b.001.total", 1), ("a.b.0", 2), ("a.b.1.total", 3), ("a.", 4), ("a.b", 5)):
+        check(dotted.get_path(path) == value, f"{path}: the longest name that leads to a value")
+    for path, kind in (("a.b.2", IndexError), ("a.b.001.none", KeyError), ("a.c", KeyError), ("a.b.x", KeyError),
+                       ("a.b.0.x", KeyError)):
+        try:
+            dotted.get_path(path)
+        except kind:
+            continue
+        check(False, f"{path}: raises {kind.__name__}")
     try:
         plan.colour
     except AttributeError as error:

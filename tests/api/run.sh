@@ -18,6 +18,7 @@ test -s "$work/results/plan.json" || { echo "no plan.json was saved"; exit 1; }
 "$work/build/cpp"
 "$work/build/refused"
 "$work/build/sizes"
+"$work/build/arrays"
 "$work/build/places"
 "$work/build/rows"
 

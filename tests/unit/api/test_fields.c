@@ -1,5 +1,6 @@
 /* Values of fields by kind: a value is read exactly or refused, and a refusal
- * leaves the number of the caller as it was and names field, value and rule. */
+ * leaves the number of the caller as it was and names field, value and rule.
+ * Paths: the longest names that lead to a value. */
 #include "api/handles.h"
 #include "check.h"
 
@@ -91,6 +92,29 @@ static void test_a_value_needs_an_address(const murk_fields *fields)
     CHECK(murk_fields_string(fields, "text", NULL, NULL) == MURK_BAD_VALUE);
 }
 
+/* Names with dots, of which some begin with another one. */
+static void test_names_with_dots(void)
+{
+    static const char dotted[] =
+        "{\"wall\": {\"total\": 1, \"a.b\": [2, {\"c.d\": 3}]},"
+        " \"wall.001\": {\"total\": 4}, \"wall.001.a\": {\"total\": 5},"
+        " \"wall.total\": {\"total\": 6}}";
+    murk_fields fields = {.root = cJSON_Parse(dotted)};
+    CHECK(fields.root != NULL);
+    check_whole(&fields, "wall.a.b.0", 2);
+    check_whole(&fields, "wall.a.b.1.c.d", 3);
+    check_whole(&fields, "wall.001.total", 4);
+    check_whole(&fields, "wall.001.a.total", 5);
+    check_whole(&fields, "wall.total.total", 6);
+    CHECK(murk_fields_kind(&fields, "wall.total") == MURK_FIELD_OBJECT);
+    static const char *const none[] = {"wall.001.b", "wall.a", "wall.a.b.2",
+                                       "wall.a.b.0.c", "total"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; ++i) {
+        CHECK(murk_fields_kind(&fields, none[i]) == MURK_FIELD_UNKNOWN);
+    }
+    murk_fields_release(&fields);
+}
+
 int main(void)
 {
     murk_fields fields = {.root = cJSON_Parse(json)};
@@ -98,6 +122,7 @@ int main(void)
     test_int64_is_exact_or_refused(&fields);
     test_absent_values(&fields);
     test_a_value_needs_an_address(&fields);
+    test_names_with_dots();
     murk_fields_release(&fields);
     return check_done();
 }
