@@ -93,8 +93,8 @@ typedef struct murk_error {
     size_t size;
     murk_status code;
     int line, column; /* in `file`, from 1; 0: the whole file */
-    char file[320];   /* the file, or the name of a text or of an array that a
-                       * call adds; "" if there is none */
+    char file[320];   /* the file, or the name of a text; if a call adds an
+                       * array, the name of the array; "" if there is none */
     char key[160];   /* path of the key in a scene, "media.fog.albedo"; or "" */
     char where[320]; /* file, line, column and key as one text; or "argument
                       * NAME"; or the name of a setting, "runs" or "keys KEY";
@@ -286,7 +286,8 @@ murk_status murk_scene_resolved(murk_scene *scene, const char **text,
  *
  * vertices_m: n x 3, floats or doubles; triangles: m x 3 indices, uint32 or
  * uint64; material: m indices into material_names[n_materials], uint32, or NULL
- * if all triangles have the first material. n_materials 0: the name of the only
+ * if all triangles have the first material. int32 indices that are not negative
+ * may be passed as MURK_TYPE_UINT32. n_materials 0: the name of the only
  * material is "". Replaces an array of the same name.
  *
  * release NULL: the arrays are copied; else vertices_m must be dense float32

@@ -133,9 +133,14 @@ static bool may_be_name(const murk_error *error)
  * "set KEY=VALUE", and "NAME KEY" with the name of a setting, set `key` alone.
  * If may_be_name() is true, the path of a key in the key table sets `key` alone
  * as well, and the name of a setting sets none; else both count as files. An
- * argument sets none. A key behind ": " takes precedence over another key. */
+ * argument sets none. A key behind ": " takes precedence over another key. An
+ * error that names a file already, the array that a call adds, is left as it
+ * is. */
 static void split_place(murk_error *error)
 {
+    if (error->file[0]) {
+        return;
+    }
     char place[sizeof error->where];
     snprintf(place, sizeof place, "%s", error->where);
     char *key = NULL;

@@ -13,6 +13,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Ends a call that adds an array of this name. The name stands in `file` of an
+ * error. */
+static murk_status end(murk_call *call, const char *name, murk_status status)
+{
+    if (status) {
+        snprintf(call->failure.file, sizeof call->failure.file, "%s", name);
+    }
+    return murk_call_end(call, status);
+}
+
 /* Adds a file to the scene, and takes ownership of `data`, which release(data)
  * releases, also on failure. */
 static murk_status add(murk_scene *scene, const char *name,
@@ -83,19 +93,25 @@ static murk_status copy_vertices(float *to, const murk_array *vertices_m,
     return MURK_OK;
 }
 
-/* Copies the indices, which must be whole numbers from 0 and below `end`; `to`
- * NULL: only checks. */
-static murk_status copy_indices(uint32_t *to, const murk_array *from,
+/* Copies the corners or the materials of triangles, `n` of each triangle: whole
+ * numbers from 0 and below `end`; `to` NULL: only checks. */
+static murk_status copy_indices(uint32_t *to, const murk_array *from, size_t n,
                                 size_t end, const char *name, murk_error *err)
 {
     for (size_t i = 0; i < murk_array_count(from); ++i) {
         const double value = murk_array_number(from, i);
-        if (!(value >= 0 && value < (double)end && value == floor(value))) {
+        const bool is_whole = value == floor(value);
+        if (!(value >= 0 && value < (double)end && is_whole)) {
+            char place[64];
+            if (n > 1) {
+                snprintf(place, sizeof place, "corner %zu", i % n);
+            } else {
+                snprintf(place, sizeof place, "%s", name);
+            }
             return murk_call_bad_argument(
-                err, name,
-                "index %zu is %.17g, must be a whole number, 0 to "
-                "%zu",
-                i, value, end - 1);
+                err, name, "%s of triangle %zu is %.17g, must be %s0 to %zu",
+                place, i / n, value, is_whole ? "" : "a whole number, ",
+                end - 1);
         }
         if (to) {
             to[i] = (uint32_t)value;
@@ -131,14 +147,22 @@ static murk_status check_mesh(const murk_array *vertices_m,
     if (status) {
         return status;
     }
-    if (vertices_m->shape[1] != 3 || triangles->shape[1] != 3 ||
-        (material && material->shape[0] != triangles->shape[0])) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "vertices_m must be n x 3, triangles m x 3, and "
-                         "material of length m");
+    /* Compare the shapes. */
+    const murk_array *const lists[] = {vertices_m, triangles};
+    static const char *const names[] = {"vertices_m", "triangles"};
+    for (int i = 0; i < 2; ++i) {
+        if (lists[i]->shape[0] == 0 || lists[i]->shape[1] != 3) {
+            return murk_call_bad_argument(
+                err, names[i], "is %zu x %zu, must be n x 3 with n above 0",
+                lists[i]->shape[0], lists[i]->shape[1]);
+        }
     }
-    if (vertices_m->shape[0] == 0 || triangles->shape[0] == 0) {
-        return murk_fail(err, MURK_BAD_VALUE, "", "the mesh is empty");
+    if (material && material->shape[0] != triangles->shape[0]) {
+        return murk_call_bad_argument(
+            err, "material",
+            "has %zu elements, must have %zu, one for each "
+            "triangle",
+            material->shape[0], triangles->shape[0]);
     }
     return MURK_OK;
 }
@@ -174,11 +198,11 @@ static murk_status fill_mesh(murk_mesh *mesh, const murk_array *vertices_m,
     /* Check and copy; lent arrays are only checked, and taken as they are. */
     murk_status status = copy_vertices(mesh->vertex_m, vertices_m, err);
     if (!status) {
-        status = copy_indices(mesh->corner, triangles, mesh->vertices,
+        status = copy_indices(mesh->corner, triangles, 3, mesh->vertices,
                               "triangles", err);
     }
     if (!status && material) {
-        status = copy_indices(mesh->material, material, mesh->materials,
+        status = copy_indices(mesh->material, material, 1, mesh->materials,
                               "material", err);
     }
     if (!status && lends) {
@@ -261,9 +285,10 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
         return murk_call_refuse(error, "scene or name is NULL");
     }
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
-    return murk_call_end(&call, add_mesh(scene, name, vertices_m, triangles,
-                                         material, material_names, n_materials,
-                                         release, user, &call.failure));
+    return end(&call, name,
+               add_mesh(scene, name, vertices_m, triangles, material,
+                        material_names, n_materials, release, user,
+                        &call.failure));
 }
 
 /* ---- grids ---- */
@@ -330,9 +355,11 @@ static murk_status add_grid(murk_scene *scene, const char *name,
                             murk_error *err)
 {
     murk_status status = murk_array_check(values, 3, "values", err);
-    if (!status && (!rows || murk_array_count(values) == 0)) {
-        status = murk_call_bad_argument(
-            err, "values", "has no values, or index_to_world is NULL");
+    if (!status && murk_array_count(values) == 0) {
+        status = murk_call_bad_argument(err, "values", "has no values");
+    }
+    if (!status && !rows) {
+        status = murk_call_bad_argument(err, "index_to_world", "is NULL");
     }
     if (!status && release && !is_x_fastest(values)) {
         status = murk_call_bad_argument(
@@ -390,8 +417,9 @@ murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
         return murk_call_refuse(error, "scene or name is NULL");
     }
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
-    return murk_call_end(&call, add_grid(scene, name, values, index_to_world,
-                                         release, user, &call.failure));
+    return end(&call, name,
+               add_grid(scene, name, values, index_to_world, release, user,
+                        &call.failure));
 }
 
 /* ---- tables ---- */
@@ -449,6 +477,6 @@ murk_status murk_scene_add_table(murk_scene *scene, const char *name,
         return murk_call_refuse(error, "scene or name is NULL");
     }
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
-    return murk_call_end(
-        &call, add_table(scene, name, columns, values, &call.failure));
+    return end(&call, name,
+               add_table(scene, name, columns, values, &call.failure));
 }
