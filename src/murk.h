@@ -313,13 +313,14 @@ murk_status murk_scene_add_mesh(murk_scene *scene, const char *name,
  * values: nx x ny x nz, floats or doubles, finite, at least 0. Value (i, j, k)
  * fills the cell around the point index_to_world * (i, j, k, 1), or with
  * `interpolation: linear` is the value at that point. index_to_world is 3 x 4,
- * row by row, in metres, and must be invertible, which murk_world_create()
- * checks. Replaces an array of the same name. release NULL: the values are
- * copied; else they must be dense floats with x fastest (stride[0] = 4), are
- * used in place, and release(user) is called as for a mesh. If the call fails,
- * release is not called. Fails with MURK_BAD_VALUE if the name, the type or the
- * order is wrong, if there are no values, or if a value is negative or not
- * finite. */
+ * row by row, in metres, and must be invertible. Replaces an array of the same
+ * name. release NULL: the values are copied; else they must be dense floats
+ * with x fastest (stride[0] = 4), are used in place, and release(user) is
+ * called as for a mesh. If the call fails, release is not called. Fails with
+ * MURK_BAD_VALUE if the name, the type or the order is wrong, if there are no
+ * values, if a value is negative or not finite, or if index_to_world has a
+ * number that is not finite, is singular, or makes voxels of less than
+ * 3e-15 m3. */
 murk_status murk_scene_add_grid(murk_scene *scene, const char *name,
                                 const murk_array *values,
                                 const double index_to_world[12],

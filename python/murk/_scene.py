@@ -215,7 +215,7 @@ class Scene:
         values: nx x ny x nz, at least 0; value (i, j, k) fills the cell around origin_m + cell_m * (i, j, k) [m]
         (cell_m: one number or three), or around index_to_world (3 x 4) of (i, j, k, 1) [m]. copy=False: values are
         float32 with x fastest (`order="F"`), are used in place and must not change any more. Raises Error if a value
-        is negative or not finite.
+        is negative or not finite, or if index_to_world cannot be inverted.
 
         Example: `scene.add_grid("smoke", density, cell_m=0.5, origin_m=(0.25, 0.25, 0.25))`, then
         `scene["media.smoke.vdb"] = "memory:smoke"`.

@@ -13,6 +13,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The least volume of a voxel of a grid [m3]: OpenVDB refuses a transform with
+ * a smaller determinant (math/Maps.h, AffineMap::updateAcceleration()). */
+#define VOXEL_MIN_M3 3e-15
+
+/* The rounding error of a determinant is at most some 10 DBL_EPSILON times the
+ * product of the lengths of the columns, so that a smaller determinant cannot
+ * be told from 0. */
+#define SINGULAR (16 * DBL_EPSILON)
+
 /* Ends a call that adds an array of this name. The name stands in `file` of an
  * error. */
 static murk_status end(murk_call *call, const char *name, murk_status status)
@@ -349,6 +358,40 @@ static murk_status check_values(const murk_grid_samples *samples,
     return MURK_OK;
 }
 
+/* Fails if the map has a number that is not finite, or cannot be inverted. */
+static murk_status check_transform(const murk_affine *index_to_world,
+                                   const double rows[12], murk_error *err)
+{
+    static const char name[] = "index_to_world";
+    for (int i = 0; i < 12; ++i) {
+        if (!isfinite(rows[i])) {
+            return murk_call_bad_argument(
+                err, name, "row %d, column %d is %g, must be a finite number",
+                i / 4, i % 4, rows[i]);
+        }
+    }
+    /* The columns are the edges of a voxel, which span its volume. */
+    const double(*m)[3] = index_to_world->matrix;
+    murk_vec3 edge[3];
+    for (int i = 0; i < 3; ++i) {
+        edge[i] = murk_vec(m[0][i], m[1][i], m[2][i]);
+    }
+    const double volume = fabs(murk_dot(edge[0], murk_cross(edge[1], edge[2])));
+    if (!(volume > SINGULAR * murk_length(edge[0]) * murk_length(edge[1]) *
+                       murk_length(edge[2]))) {
+        return murk_call_bad_argument(
+            err, name,
+            "is singular: the edges of a voxel (columns 0 to 2) lie in one "
+            "plane, must span a volume");
+    }
+    if (!(volume >= VOXEL_MIN_M3)) {
+        return murk_call_bad_argument(
+            err, name, "voxels have a volume of %g m3, must be at least %g m3",
+            volume, VOXEL_MIN_M3);
+    }
+    return MURK_OK;
+}
+
 static murk_status add_grid(murk_scene *scene, const char *name,
                             const murk_array *values, const double rows[12],
                             void (*release)(void *user), void *user,
@@ -385,7 +428,8 @@ static murk_status add_grid(murk_scene *scene, const char *name,
                3 * sizeof *rows);
     }
     samples->index_to_world.shift = murk_vec(rows[3], rows[7], rows[11]);
-    status = check_values(samples, err);
+    status = check_transform(&samples->index_to_world, rows, err);
+    status = status ? status : check_values(samples, err);
     if (status) { /* the values stay the caller's */
         free(samples);
         free(copy);

@@ -98,15 +98,30 @@ static void check_grids(murk_scene *scene)
                                           (const size_t[]){2, 2, 2}),
                      none = murk_array_of(values, MURK_TYPE_FLOAT32, 3,
                                           (const size_t[]){2, 0, 2});
-    static const double unit[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    static const double unit[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
+                        zeros[12] = {0}, plane[12] = {.1, .2, .3, 0,  .4, .5,
+                                                      .6, 0,  .7, .8, .9, 0},
+                        shift[12] = {1, 0, 0, INFINITY, 0, 1, 0, 0, 0, 0, 1, 0},
+                        small[12] = {1e-6, 0, 0, 0, 0,    1e-6,
+                                     0,    0, 0, 0, 1e-6, 0};
+    static const char singular[] =
+        "is singular: the edges of a voxel (columns 0 to 2) lie in one plane, "
+        "must span a volume";
     const struct {
         const murk_array *values;
         const double *rows;
         const char *where, *message;
-    } cases[] = {{&grid, NULL, "argument index_to_world", "is NULL"},
-                 {&grid, unit, "argument values",
-                  "value [1, 1, 1] is -1, must be finite and at least 0"},
-                 {&none, unit, "argument values", "has no values"}};
+    } cases[] = {
+        {&grid, zeros, "argument index_to_world", singular},
+        {&grid, plane, "argument index_to_world", singular},
+        {&grid, shift, "argument index_to_world",
+         "row 0, column 3 is inf, must be a finite number"},
+        {&grid, small, "argument index_to_world",
+         "voxels have a volume of 1e-18 m3, must be at least 3e-15 m3"},
+        {&grid, NULL, "argument index_to_world", "is NULL"},
+        {&grid, unit, "argument values",
+         "value [1, 1, 1] is -1, must be finite and at least 0"},
+        {&none, unit, "argument values", "has no values"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_error error = MURK_ERROR_NONE;
         const murk_status status = murk_scene_add_grid(

@@ -85,6 +85,7 @@ CALLS = [
     (lambda: murk.study("/nowhere/study.yaml"), "/nowhere/study.yaml", "", ""),
     (lambda: murk.report("/nowhere"), "/nowhere", "", ""),
     (lambda: room().add_grid("x", numpy.full((2, 2, 2), -1.0)), "x", "", "-1"),
+    (lambda: room().add_grid("x", numpy.ones((2, 2, 2)), 0), "x", "", "index_to_world: is singular"),
     (lambda: room().add_grid("x", numpy.zeros((2, 2))), "", "", "dimensions"),
     (lambda: room().add_grid("x", numpy.zeros((2, 2, 2)), copy=False), "", "", "float32"),
     (lambda: room().add_mesh("x", [[0, 0, 0]], [[0, 0, 1]]), "x", "", "triangles"),
