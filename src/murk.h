@@ -416,9 +416,10 @@ const char *murk_fields_json(const murk_fields *fields);
  * file cannot be written, and with MURK_INTERRUPTED if they are cancelled. */
 typedef struct murk_save_options {
     size_t size;         /* sizeof(murk_save_options) */
-    const char *exports; /* words with commas between: fields, photons,
-                          * surfaces; of a plan also matrix, or-library, lp;
-                          * studies and fits refuse it and voxel_m */
+    const char *exports; /* words with commas between, and blanks if wanted:
+                          * fields, photons, surfaces; of a plan also matrix,
+                          * or-library, lp; studies and fits refuse it and
+                          * voxel_m */
     const char *voxel_m; /* largest edge of exported voxels and of pieces of
                           * surfaces [m], "0.5"; NULL: some 100,000 voxels, and
                           * pieces of some five photons */

@@ -20,8 +20,9 @@ typedef enum murk_export {
 #define MURK_EXPORTS_OF_PROBLEM \
     (MURK_EXPORT_MATRIX | MURK_EXPORT_OR_LIBRARY | MURK_EXPORT_LP)
 
-/* Reads the names of exports, with commas between them, and adds their
- * murk_export bits to *out. where: the name of the setting, for messages. */
+/* Reads the names of exports, with commas between them and blanks around them,
+ * and adds their murk_export bits to *out. where: the name of the setting, for
+ * messages. */
 murk_status murk_exports_read(unsigned *out, const char *words,
                               const char *where, murk_error *err);
 

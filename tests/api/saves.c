@@ -85,7 +85,7 @@ static void trace_and_place(murk_context *context, const char *scene,
     murk_light *light = NULL;
     murk_plan *plan = NULL;
     const murk_fields *fields = NULL;
-    const murk_save_options all = exports("fields,photons,surfaces");
+    const murk_save_options all = exports("fields, photons ,surfaces");
     murk_save_options more = exports("matrix");
     more.asked = "--repeat 2\n";
     murk_world *world = world_of(context, scene, NULL);
@@ -93,11 +93,12 @@ static void trace_and_place(murk_context *context, const char *scene,
                *placed = folder_of(out, "place");
     /* What would be refused after the work is refused before. */
     must(murk_world_check_save(world, "trace", 0, traced, &all, &error));
-    const murk_save_options wrong = exports("fields,nothing");
+    const murk_save_options wrong = exports("fields, nothing");
     murk_error why = MURK_ERROR_NONE;
     CHECK(murk_world_check_save(world, "trace", 0, traced, &wrong, &why) ==
           MURK_BAD_VALUE);
     CHECK(strcmp(why.where, "exports") == 0 && !strstr(why.text, "--"));
+    CHECK(strstr(why.text, "\"nothing\" is not an export"));
     why = (murk_error)MURK_ERROR_NONE;
     CHECK(murk_world_check_save(world, "place", 4294967295, NULL, NULL, &why) ==
           MURK_BAD_VALUE);

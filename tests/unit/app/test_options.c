@@ -142,14 +142,18 @@ static void test_order_and_spelling(void)
 
 static void test_exports(void)
 {
-    murk_options o = taken("place s.yaml -o x --export matrix,photons,fields");
+    murk_options o =
+        taken("place s.yaml -o x --export matrix,\tphotons\t,fields");
     CHECK(o.exports ==
           (MURK_EXPORT_MATRIX | MURK_EXPORT_PHOTONS | MURK_EXPORT_FIELDS));
     murk_options_release(&o);
     o = taken("trace s.yaml -o x --export surfaces --voxel 1");
     CHECK(o.exports == MURK_EXPORT_SURFACES);
     murk_options_release(&o);
-    refused("place s.yaml -o x --export lps", "--export", "must be of matrix");
+    refused("place s.yaml -o x --export lp,lps", "--export",
+            "\"lps\" is not an export; allowed are matrix, ");
+    refused("place s.yaml -o x --export lp,", "--export",
+            "\"\" is not an export");
     refused("place s.yaml --export lp", "--export", "needs a folder");
     refused("trace s.yaml -o x --export lp", "--export", "are of murk place");
     refused("place --matrix m -o x --export fields", "--export", "of a scene");
