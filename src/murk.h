@@ -71,7 +71,7 @@ const char *murk_version(void);
 
 typedef enum murk_status {
     MURK_OK,
-    MURK_BAD_VALUE,   /* a value is outside of the allowed range */
+    MURK_BAD_VALUE,   /* a key, a value or an argument is not allowed */
     MURK_BAD_FILE,    /* a file is missing or malformed */
     MURK_UNSUPPORTED, /* not supported yet */
     MURK_NO_MEMORY,   /* out of memory */

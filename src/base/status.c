@@ -34,7 +34,7 @@ const char *murk_status_text(murk_status status)
 {
     static const char *const texts[] = {
         [MURK_OK] = "ok",
-        [MURK_BAD_VALUE] = "a value is outside its allowed range",
+        [MURK_BAD_VALUE] = "a key, a value or an argument is not allowed",
         [MURK_BAD_FILE] = "a file is missing or malformed",
         [MURK_UNSUPPORTED] = "not supported yet",
         [MURK_NO_MEMORY] = "out of memory",

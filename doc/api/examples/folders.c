@@ -49,7 +49,7 @@ int main(void)
 
 /* Prints:
  *
- * a value is outside its allowed range at exports
+ * a key, a value or an argument is not allowed at exports
  * light.murk
  * scene.resolved.yaml
  * tallies.csv

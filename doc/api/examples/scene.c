@@ -41,5 +41,5 @@ int main(void)
 /* Prints:
  *
  * extinction_per_m: 0.2
- * a value is outside its allowed range at photons.emit
+ * a key, a value or an argument is not allowed at photons.emit
  */
