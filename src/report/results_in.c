@@ -218,7 +218,7 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
     *out = (murk_results_in){.folder = folder};
     if (stat(folder, &known) != 0 || !S_ISDIR(known.st_mode)) {
         return murk_fail(err, MURK_BAD_FILE, folder,
-                         "no such folder, must be one of results");
+                         "no such folder, must be a folder of results");
     }
     out->whole = realpath(folder, NULL);
     out->whole = out->whole ? out->whole : strdup(folder);
