@@ -292,8 +292,8 @@ static murk_status read_unit(murk_reading *out, const murk_reading_line *at)
     if (!has_gain && murk_reading_unit_needs_gain(out->unit, out->kind)) {
         return murk_reading_fail(
             at, MURK_COLUMN_GAIN,
-            "nothing, but light in %s has a free factor, "
-            "must be its name NAME, of the free key gain.NAME",
+            "is empty, but light with the unit %s has an unknown factor: name "
+            "the factor in this column, and make gain.NAME a free key",
             murk_reading_unit_name(out->unit));
     }
     if (has_gain && murk_reading_unit_law(out->unit)) {

@@ -163,7 +163,7 @@ refused 'data.csv:2: unit: percent_per_m' "$beam
 transmittance,1,1,1,3,1,1,percent_per_m,50,1" --free $fog
 refused 'data.csv:2: unit: lux' "$beam
 transmittance,1,1,1,3,1,1,lux,50,1" --free $fog
-refused 'data.csv:2: gain: nothing, but light in relative has a free factor' "$light
+refused 'data.csv:2: gain: is empty, but light with the unit relative has an unknown factor' "$light
 fluence,,1,1,1,.4,,relative,.3,.01," --free $fog
 refused 'which is not free: gain.a must be a free key' "$light
 fluence,,1,1,1,.4,a,relative,.3,.01," --free $fog
