@@ -1,7 +1,13 @@
 /* murk: light in fog, smoke, rain and water, and the places of sensors in it.
  *
  * This header is the whole public interface of the library (-lmurk). C11, C17,
- * C++17.
+ * C++17. This command compiles a program:
+ *
+ *     cc program.c $(pkg-config --cflags --libs murk)
+ *
+ * A program that is built by CMake links with murk::murk, a target of the
+ * package murk. The folder doc/api/examples has a program for each section of
+ * this header.
  *
  *     murk_scene -> murk_world -> murk_light -> murk_coverage, murk_plan,
  *                                               murk_picture
@@ -156,7 +162,8 @@ typedef struct murk_context murk_context;
 typedef void (*murk_log_function)(void *user, bool is_warning,
                                   const char *where, const char *text);
 
-/* The state of a long step, such as "trace", in `unit` ("photons"). */
+/* The state of a long step, such as "trace", in `unit` ("photons"), which is ""
+ * for a step that counts nothing. */
 typedef struct murk_progress {
     size_t size;
     const char *step, *unit, *text; /* text: state of a search, or "" */
@@ -165,7 +172,9 @@ typedef struct murk_progress {
 } murk_progress;
 
 /* Called some five times a second from a thread of murk, and at the end of the
- * outermost step from the thread that uses the context. */
+ * outermost step from the thread that uses the context. Steps may have inner
+ * steps. The end of an inner step has no call of its own: `done` of the last
+ * call of an inner step may be below `total`. */
 typedef void (*murk_progress_function)(void *user,
                                        const murk_progress *progress);
 
@@ -756,7 +765,13 @@ murk_status murk_light_tally(murk_light *light, const char *name,
                              murk_array *values, murk_array *errors,
                              murk_error *error);
 
-/* *fields: those of ledger.json. Fails with MURK_NO_MEMORY. */
+/* *fields: those of ledger.json, which murk-results(5) lists. Powers are in
+ * watts: `emitted_w.total`, `escaped_w.total`, or of a material
+ * `absorbed_by_material_w.wall.total`. The ledger balances exactly: the emitted
+ * power is the sum of the absorbed, escaped and lost power, counted in whole
+ * quanta (`imbalance_quanta` is 0). Each part of the sum is random, however,
+ * and has no standard error in the ledger; murk_light_tally() gives standard
+ * errors. Fails with MURK_NO_MEMORY. */
 murk_status murk_light_fields(murk_light *light, const murk_fields **fields,
                               murk_error *error);
 
