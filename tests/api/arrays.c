@@ -82,6 +82,7 @@ static void check_meshes(murk_scene *scene)
         {&eight, &empty, NULL, "argument triangles",
          "is 0 x 3, must be n x 3 with n above 0"},
         {NULL, &zeros, NULL, "argument vertices_m", "is NULL"}};
+    /* Each mesh is refused, and none is added. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_error error = MURK_ERROR_NONE;
         const murk_status status = murk_scene_add_mesh(
@@ -122,6 +123,7 @@ static void check_grids(murk_scene *scene)
         {&grid, unit, "argument values",
          "value [1, 1, 1] is -1, must be finite and at least 0"},
         {&none, unit, "argument values", "has no values"}};
+    /* Each grid is refused, and none is added. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_error error = MURK_ERROR_NONE;
         const murk_status status = murk_scene_add_grid(
@@ -162,12 +164,14 @@ static void check_fields(murk_scene *scene)
     murk_light *light = NULL;
     const murk_fields *fields = NULL;
     double dotted = 0, plain = 0, all = 0;
+    /* Trace light in a world whose only surface is the mesh. */
     must_be_ok(murk_scene_add_mesh(scene, "hall", &vertices, &triangles,
                                    &material, names, 2, NULL, NULL, &error),
                &error);
     must_be_ok(murk_world_create(&world, scene, &error), &error);
     must_be_ok(murk_light_trace(&light, world, &error), &error);
     must_be_ok(murk_light_fields(light, &fields, &error), &error);
+    /* Read the fields of both materials. */
     must_be_ok(murk_fields_double(fields,
                                   "absorbed_by_material_w.ground.001.total",
                                   &dotted, &error),
