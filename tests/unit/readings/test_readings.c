@@ -333,7 +333,7 @@ static void test_places_are_refused(void)
             "light of this band counts nothing");
     refused(LIGHT "fluence,1,1,1,,,,.1,,,,1,1\n", ":2: unit", "needs it");
     refused(LIGHT "fluence,1,1,1,,,,.1,,,relative,1,1\n", ":2: gain",
-            "of the free key gain.NAME");
+            "make gain.NAME a free key");
 }
 
 #define COVER                                                             \
