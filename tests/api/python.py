@@ -277,10 +277,12 @@ def grids_and_meshes():
             light.report(page)
         with open(page, encoding="utf-8") as file:
             text = file.read()
-        check("cannot be read again" not in text and "that program alone makes the results again" in text, "a page of arrays")
+        check("cannot be read again" not in text and "Light.report() of a program in Python" in text, "a page of arrays")
+        check("Files of the folder" not in text and "murk place" not in text, "no command makes it again")
         # results may be saved again after a page was made of them
         light.save(os.path.join(folder, "out"))
-        murk.report(os.path.join(folder, "out"))
+        with open(murk.report(os.path.join(folder, "out")), encoding="utf-8") as file:
+            check("that program alone makes the results again" in file.read(), "a folder of results of arrays")
         other = murk.Scene({**beam, "seed": 2, "media": {"smoke": {"extinction_per_m": 1, "albedo": 0}}}).trace()
         other.save(os.path.join(folder, "out"))
 
