@@ -19,7 +19,8 @@
 
 #define HALF_WIDTH 50.0 /* of the domain where murk tallies */
 
-/* Pays where much is absorbed (src/README.md). */
+/* photons.least_weight: photons lose weight at collisions instead of ending
+ * there, which lowers the noise where much is absorbed. */
 #define MIN_WEIGHT .3
 
 /* The table of a phase function, made from the first n of its moments. */

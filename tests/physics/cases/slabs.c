@@ -8,7 +8,8 @@
 #include "cases/reference.h"
 #include "scores.h"
 
-/* Pays where much is absorbed (src/README.md). */
+/* photons.least_weight: photons lose weight at collisions instead of ending
+ * there, which lowers the noise where much is absorbed. */
 #define MIN_WEIGHT .3
 
 #define SOURCE "adding-doubling, 64 to 120 nodes"
