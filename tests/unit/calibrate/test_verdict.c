@@ -46,10 +46,10 @@ static void test_limit(void)
     CHECK(!c.found.is_accepted);
     judge(&c, 11, 11);
     CHECK(c.found.is_accepted);
-    CHECK(strncmp(c.found.verdict, "Yes", 3) == 0);
+    CHECK(strncmp(c.found.verdict, "Yes: ", 5) == 0);
     judge(&c, 1, 11);
     CHECK(c.found.is_accepted);
-    CHECK(strncmp(c.found.verdict, "Better", 6) == 0);
+    CHECK(strncmp(c.found.verdict, "Yes, better", 11) == 0);
 }
 
 static void test_no_freedom(void)
