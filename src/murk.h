@@ -439,18 +439,23 @@ typedef struct murk_save_options {
     const char *command; /* the command line of the caller: run.command */
     const char *asked;   /* a text that says what else the results follow from,
                           * beside the scene; `identity` covers it */
+    const char *made_by; /* used by murk_context_write_report() alone, for a
+                          * folder that the caller removes afterwards: what made
+                          * the results, "plan.report() in Python". The page
+                          * shows this text in place of the name of the folder,
+                          * the list of its files and the commands that use
+                          * it */
 } murk_save_options;
 
 /* Writes the page of a folder of results (plan.json, ledger.json, study.json,
  * ...) to `page`, one HTML file; NULL: to report.html in the folder. Arrays of
- * the scene are in no file: the page shows them while a world or fit of the
- * context has them. Warns of files that do not belong to the results. options:
- * `replaces`, without which a file that murk did not write is not replaced;
- * `asked`, for `identity`; and `command`, unless NULL what made the results
- * ("plan.report() in Python") whose folder is not kept: the page tells it in
- * place of the folder, its files and the commands that use it. NULL: zeros.
- * Files that are read for the page may be replaced by later calls. fields may
- * be NULL; else *fields are
+ * the scene are in no file: the page shows them if the world or fit whose
+ * results were saved to the folder last, by a call in this context, still
+ * exists. Warns of files that do not belong to the results. options:
+ * `replaces`, without which a file that murk did not write is not replaced,
+ * `asked`, for `identity`, and `made_by` are used; NULL: zeros. Files that are
+ * read for the page may be replaced by later calls. fields may be NULL; else
+ * *fields are
  * `report` (the path of the page), `bytes`, `photons`, `photons_shown`,
  * `sensors_shown`, `identity` and `files`, valid until the next call of this
  * function with the context. Fails with MURK_BAD_FILE if the folder holds no
@@ -649,7 +654,8 @@ typedef struct murk_check_options {
  * did not write is not replaced by the picture, and `command` and `asked`, for
  * `run` and `identity`, are used; NULL: zeros. Fails with MURK_BAD_VALUE if an
  * option is wrong, if the picture may not be replaced, or if the scene has too
- * few photons, or sensors or targets that do not fit the world; with
+ * few photons, or sensors or targets that do not fit the world (the picture is
+ * drawn all the same if the candidates are refused, as it may show why); with
  * MURK_BAD_FILE if a list of places that the scene names is malformed, with
  * MURK_RUN_FAILED if the picture cannot be written, with MURK_INTERRUPTED if
  * the call is cancelled, and as murk_world_create() if that has not built the

@@ -33,7 +33,7 @@ def _level_of_user() -> int:
     return level
 
 
-_FOLDER = os.path.dirname(os.path.abspath(__file__)) + os.sep
+_FOLDER = os.path.dirname(_level_of_user.__code__.co_filename) + os.sep
 
 
 class _Line:
@@ -125,16 +125,16 @@ class Context:
         return self._for_files
 
     def _raise_of_callback(self) -> None:
-        """Gives the warnings of a call that has ended, at the line of the user's code that made the call, and raises
-        the exception that a callback raised during the call; for the module itself."""
+        """Raises the exception that a callback raised during a call that has ended, else gives the warnings of the call
+        at the line of the user's code that made the call; for the module itself."""
         self.is_cancelled_by_exception = False
         self._line.finish()
         heard, self._warnings = self._warnings, []
-        for text in heard:
-            warnings.warn(text, stacklevel=_level_of_user())
         exception, self._exception = self._exception, None
         if exception is not None:
             raise exception
+        for text in heard:
+            warnings.warn(text, stacklevel=_level_of_user())
 
     def _guard(self, function: Callable[..., object], *arguments: object) -> None:
         """Calls a function of the user; an exception is kept for the caller and stops long work."""

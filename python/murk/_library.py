@@ -8,6 +8,7 @@ package serves every Python 3.
 from __future__ import annotations
 
 import ctypes.util
+import json
 import os
 import re
 import threading
@@ -119,11 +120,33 @@ def call(function: Any, *arguments: Any) -> None:
 
 
 def call_in(context: Context, function: Any, *arguments: Any) -> None:
-    """The same for short work in a context: an exception of a log function is raised."""
+    """The same for short work in a context: an exception of a log function is raised, and warnings are given."""
     try:
         call(function, *arguments)
-    finally:
+    except Exception:
+        _end_failed(context)
+        raise
+    _end(context, arguments)
+
+
+def _end_failed(context: Context) -> None:
+    """Ends a call that has failed; the failure says more than a warning that is an error."""
+    try:
         context._raise_of_callback()
+    except Warning:
+        pass
+
+
+def _end(context: Context, arguments: tuple[Any, ...]) -> None:
+    """Ends a call that has not failed. Destroys the handle that it has made, if an exception of a callback or a warning
+    that is an error is raised: the caller does not get it."""
+    try:
+        context._raise_of_callback()
+    except BaseException:
+        made = re.fullmatch(r"(murk_\w+) \* \*", ffi.typeof(arguments[0]).cname)
+        if made and arguments[0][0]:
+            getattr(lib, f"{made[1]}_destroy")(arguments[0][0])
+        raise
 
 
 # The thread of long work, made when it is first needed. There is one for all calls, because Embree keeps some memory
@@ -156,12 +179,13 @@ def call_long(context: Context, function: Any, *arguments: Any) -> None:
             failure = work.exception()
             if failure is None or isinstance(failure, Interrupted):
                 context._exception = None  # that of a callback, if there is one, is not that of the next call
-                context._raise_of_callback()
+                _end_failed(context)
                 raise
         failure = work.exception()
-    context._raise_of_callback()
     if failure:
+        _end_failed(context)
         raise failure.with_traceback(None)  # frames of the thread say nothing
+    _end(context, arguments)
 
 
 def c_text(value: Path | None) -> Any:
@@ -169,6 +193,22 @@ def c_text(value: Path | None) -> Any:
     if value is None:
         return ffi.NULL
     return ffi.new("char[]", os.fsencode(os.fspath(value)))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (numpy.ndarray, numpy.generic)):
+        return value.tolist()
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    raise TypeError(f"{type(value).__name__} is no value of a scene")
+
+
+def yaml_of(key: str, value: Any) -> str:
+    """A Python value in YAML flow style."""
+    try:
+        return json.dumps(value, allow_nan=False, default=_plain)
+    except (TypeError, ValueError) as wrong:
+        raise Error(f"{value!r}: {wrong}", where=key, key=key) from None
 
 
 # ---- arrays ----

@@ -390,6 +390,7 @@ class Light:
 
         Example: `light.render("gate").radiance[0]`.
         """
+        handle_of(self)
         return Picture(self.world, self, camera, method, sensors, from_sensor, pixels, samples)
 
     def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:

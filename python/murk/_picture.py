@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ._light import Light, World
     from ._scene import Sensors
 
-_METHODS = {"maps": lib.MURK_METHOD_MAPS, "paths": lib.MURK_METHOD_PATHS, "path": lib.MURK_METHOD_PATHS, "maps-only": lib.MURK_METHOD_MAPS_ONLY}
+_METHODS = {"maps": lib.MURK_METHOD_MAPS, "paths": lib.MURK_METHOD_PATHS, "maps-only": lib.MURK_METHOD_MAPS_ONLY}
 _SCALES = {"auto": lib.MURK_SCALE_AUTO, "linear": lib.MURK_SCALE_LINEAR, "log": lib.MURK_SCALE_LOG}
 # Channels of murk_picture_array() with a part for each band.
 _OF_BANDS = ("radiance", "error", "surface", "volume", "depth")
@@ -24,6 +24,11 @@ def _code(name: str, codes: dict[str, int], argument: str) -> int:
     if name not in codes:
         raise Error(f"{name!r}, must be one of {', '.join(codes)}", where=f"argument {argument}")
     return codes[name]
+
+
+def method_code(method: str) -> int:
+    """The number of a method of rendering. Raises Error if there is none of that name."""
+    return _code(method, _METHODS, "method")
 
 
 class Picture:
@@ -50,7 +55,7 @@ class Picture:
         width, height = (0, 0) if pixels is None else pixels
         options = ffi.new("murk_picture_options *",
                           {"size": ffi.sizeof("murk_picture_options"), "camera": name, "sensors": placed,
-                           "method": _code(method, _METHODS, "method"), "from_sensor": from_sensor, "width": width,
+                           "method": method_code(method), "from_sensor": from_sensor, "width": width,
                            "height": height, "samples": samples})
         call_long(self.context, lib.murk_picture_render, out, world.c, ffi.NULL if light is None else handle_of(light),
                   options)
@@ -75,7 +80,7 @@ class Picture:
 
         "distance_m"; of band b "radiance.b", "error.b" (its standard error), "surface.b" and "volume.b" (parts of the
         radiance) [W/m2/sr], "depth.b" (optical depth); "rgb.0" to "rgb.2", "rgb_error.0" to "rgb_error.2";
-        "position_m.0" to "position_m.2" [m]; with sensors "coverage.count" (how many see the surface of the pixel) and
+        "position_m.0" to "position_m.2" [m]; with sensors "coverage.count" (how many see the surface of the pixel; NaN without a surface) and
         "coverage.clarity" (the largest clarity of their views, 0 to 1). Raises Error if the picture has no such channel.
 
         Example: `picture.array("volume.0")`.

@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tempfile
 from typing import Any, Mapping, Sequence
 
 from ._context import Context, default_context
-from ._library import Error, Path, c_text, call, call_in, call_long, ffi, lib, string
+from ._library import Error, Path, c_text, call, call_in, call_long, ffi, lib, string, yaml_of
 
 
 class Result(dict):  # type: ignore[type-arg]
@@ -41,7 +42,7 @@ def _value_at(value: Any, parts: list[str]) -> Any:
     if not parts:
         return value
     if isinstance(value, list):
-        if not parts[0].lstrip("-").isdecimal():
+        if not re.fullmatch(r"-?\d+", parts[0]):
             raise KeyError(parts[0])
         return _value_at(value[int(parts[0])], parts[1:])
     failure: LookupError = KeyError(parts[0])
@@ -114,7 +115,8 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
     """Writes one HTML page of a folder of results and returns its path.
 
     folder: what a `save()` or the program's `-o` wrote. page None: report.html in the folder. A file that murk did not
-    write is not replaced. Raises Error if the folder holds no results. Source: `murk report`.
+    write is not replaced. Arrays of the scene are in no file: the page shows them if the world, light, plan or fit that
+    was saved to the folder still exists, in the same context. Raises Error if the folder holds no results. Source: `murk report`.
 
     Example: `murk.report("out", "page.html")`.
     """
@@ -123,8 +125,8 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
 
 
 def _write_report(context: Context, folder: Path, page: Path | None, made_by: str | None = None) -> None:
-    command = c_text(made_by)  # lives as long as the call
-    options = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "command": command})
+    maker = c_text(made_by)  # lives as long as the call
+    options = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "made_by": maker})
     call_long(context, lib.murk_context_write_report, context.c, c_text(folder), c_text(page), options, ffi.NULL)
 
 
@@ -144,8 +146,9 @@ def reference(name: str = "scene", context: Context | None = None) -> Result:
     return result_in(fields)
 
 
-def read_keys(path: Path, context: Context | None = None) -> dict[str, int | float | str]:
-    """The keys in a file of lines KEY: VALUE, such as calibrated.yaml of a fit: a dict for a scene or a study.
+def read_keys(path: Path, context: Context | None = None) -> dict[str, Any]:
+    """The keys in a file of lines KEY: VALUE, such as calibrated.yaml of a fit, and their values: a dict for `Scene()`
+    and `study()`.
 
     Warns if the data refused the model of the fit. Raises Error if the file cannot be read or is not such a map.
     Source: `--set @FILE` of the program.
@@ -158,14 +161,16 @@ def read_keys(path: Path, context: Context | None = None) -> dict[str, int | flo
     return {key.key: _scalar(key.value) for key in result_in(fields)["keys"]}
 
 
-def _scalar(text: str) -> int | float | str:
-    """A number, if the text is one."""
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            pass
-    return text
+_WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
+
+
+def _scalar(text: str) -> Any:
+    """The value of a YAML text that is not quoted."""
+    if re.fullmatch(r"[-+]?\d+", text):
+        return int(text)
+    if re.fullmatch(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?", text):
+        return float(text)
+    return _WORDS.get(text, text)
 
 
 def report_of(saved: Any, page: Path) -> Path:
@@ -187,11 +192,12 @@ class Study(Fielded):
     """
 
     def __init__(self, path: Path, folder: Path | None = None, context: Context | None = None,
-                 keys: Mapping[str, str] | None = None) -> None:
+                 keys: Mapping[str, Any] | None = None) -> None:
         self.context = context or default_context()
         out = ffi.new("murk_study **")
         # Strings live as long as the call.
-        kept, names, values = c_text(folder), [c_text(k) for k in keys or {}], [c_text(v) for v in (keys or {}).values()]
+        kept, names = c_text(folder), [c_text(key) for key in keys or {}]
+        values = [c_text(yaml_of(key, value)) for key, value in (keys or {}).items()]
         options = ffi.new("murk_study_options *", {"size": ffi.sizeof("murk_study_options"), "folder": kept,
                                                    "n": len(names)})
         arrays = ffi.new("const char *[]", names), ffi.new("const char *[]", values)
@@ -218,12 +224,14 @@ class Study(Fielded):
         return report_of(self, page)
 
 
-def study(path: Path, folder: Path | None = None, context: Context | None = None) -> Study:
+def study(path: Path, folder: Path | None = None, context: Context | None = None,
+          keys: Mapping[str, Any] | None = None) -> Study:
     """Runs the rows of a study file: Study.
 
-    folder: keeps finished rows, which are not run again by the next call. A row that fails has the reason in its field
+    folder: keeps finished rows, which are not run again by the next call. keys: paths of keys that are set in the scene
+    of each row, and their values, such as those of `read_keys()`. A row that fails has the reason in its field
     `failed`. Raises Error if the study file or its scene is wrong. Groups of rows run in subprocesses.
 
     Example: `study = murk.study("scenes/studies/fog-yard.yaml", folder="rows")`.
     """
-    return Study(path, folder, context)
+    return Study(path, folder, context, keys)

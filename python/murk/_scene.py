@@ -10,30 +10,14 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from ._context import Context, default_context
-from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_numpy, lib, string
+from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_numpy, lib, string, yaml_of
 from ._light import Batch, Light, World
-from ._picture import Picture
+from ._picture import Picture, method_code
 from ._plan import Coverage, Plan
 from ._results import Fielded, Study, report_of, result_of, save
 
 Bounds = Tuple[Union[float, None], Union[float, None]]
 Sensors = Union[Path, Iterable[Mapping[str, Any]]]
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, (numpy.ndarray, numpy.generic)):
-        return value.tolist()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"{type(value).__name__} is no value of a scene")
-
-
-def _yaml(key: str, value: Any) -> str:
-    """A Python value in YAML flow style."""
-    try:
-        return json.dumps(value, allow_nan=False, default=_plain)
-    except (TypeError, ValueError) as wrong:
-        raise Error(f"{value!r}: {wrong}", where=key, key=key) from None
 
 
 # Grids that the library uses in place, by number, until it releases them.
@@ -111,7 +95,7 @@ class Scene:
         self._arrays: list[tuple[str, tuple[Any, ...]]] = []
         name = None
         if isinstance(source, Mapping):
-            text, name = _yaml("", {"murk": 1, **source}), DICT
+            text, name = yaml_of("", {"murk": 1, **source}), DICT
             source = json.loads(text)  # the values as they are now
         elif source is not None:
             text = source
@@ -133,7 +117,7 @@ class Scene:
 
         value: numbers, texts, lists, dicts, NumPy arrays. Raises Error if the path leads nowhere or the value is not
         one of a scene; the value is checked with the whole scene."""
-        given = _yaml(key, value)
+        given = yaml_of(key, value)
         call_in(self.context, lib.murk_scene_set, self.c, c_text(key), c_text(given))
         self._keys.append((key, json.loads(given)))
 
@@ -292,14 +276,15 @@ class Scene:
 
     def render(self, camera: str | None = None, method: str = "maps", sensors: Sensors | None = None,
                from_sensor: int = 0, pixels: Sequence[int] | None = None, samples: int = 0) -> Picture:
-        """Renders a picture: Picture; arguments as in `Light.render()`. Traces the light, which "paths" needs none of.
+        """Renders a picture: Picture; arguments as in `Light.render()`. Traces the light, unless the method is "paths".
 
         Raises Error.
 
         Example: `scene.render("gate").save("gate.exr", png=True)`.
         """
+        needs_light = method_code(method) != lib.MURK_METHOD_PATHS
         world = self.world()
-        light = None if method == "paths" else world.trace()
+        light = world.trace() if needs_light else None
         return Picture(world, light, camera, method, sensors, from_sensor, pixels, samples)
 
     def fit(self, data: Path, free: Sequence[str] = (), bounds: Mapping[str, Bounds] | None = None,
@@ -336,7 +321,7 @@ class Scene:
         if outputs:
             described["outputs"] = list(outputs)
         with tempfile.TemporaryDirectory(prefix="murk-") as made:
-            for name, text in (("scene.yaml", self.resolved), ("study.yaml", _yaml("study", described))):
+            for name, text in (("scene.yaml", self.resolved), ("study.yaml", yaml_of("study", described))):
                 with open(os.path.join(made, name), "w", encoding="utf-8") as file:
                     file.write(text)
             return Study(os.path.join(made, "study.yaml"), folder, self.context._of_temporary_files())

@@ -31,7 +31,8 @@ const char *murk_version(void)
 murk_call murk_call_begin(murk_context *context, const murk_memory_files *files,
                           murk_error *error)
 {
-    murk_call call = {.host = context->host, .error = error};
+    murk_call call = {
+        .context = context, .host = context->host, .error = error};
     call.before = murk_host_enter(context->host);
     context->host->files = files;
     return call;

@@ -3,11 +3,14 @@
  * messages and progress to the functions of the caller. */
 #include "api/handles.h"
 
+#include "base/file.h"
 #include "base/host_make.h"
 #include "base/inputs.h"
 #include "base/log.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "results/results.h"
+#include "scene/yaml.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -155,7 +158,7 @@ void murk_context_hold_arrays(murk_context *context, murk_held_arrays *held,
                               const murk_scene_desc *scene)
 {
     if (files->n > 0) {
-        *held = (murk_held_arrays){context->held, files, scene->resolved};
+        *held = (murk_held_arrays){context->held, files, scene->resolved, NULL};
         context->held = held;
     }
 }
@@ -168,7 +171,47 @@ void murk_context_forget_arrays(murk_context *context, murk_held_arrays *held)
     }
     if (*at) {
         *at = held->next;
+        free(held->folder);
     }
+}
+
+void murk_context_note_folder(murk_context *context, const char *folder,
+                              const murk_scene_desc *scene)
+{
+    char *whole = context->held ? realpath(folder, NULL) : NULL;
+    for (murk_held_arrays *held = context->held; held; held = held->next) {
+        const bool is_saved = scene && held->resolved == scene->resolved;
+        const bool was_there =
+            whole && held->folder && strcmp(held->folder, whole) == 0;
+        if (is_saved || was_there) {
+            free(held->folder);
+            held->folder = is_saved && whole ? strdup(whole) : NULL;
+        }
+    }
+    free(whole);
+}
+
+void murk_context_arrays_of(murk_memory_files *out, const murk_context *context,
+                            const char *folder)
+{
+    char *whole = context->held ? realpath(folder, NULL) : NULL;
+    char *path = whole ? murk_path_join(whole, MURK_SCENE_NAME) : NULL;
+    char *text = NULL;
+    size_t size = 0;
+    const murk_held_arrays *held = context->held;
+    *out = (murk_memory_files){0};
+    while (held && !(held->folder && whole && !strcmp(held->folder, whole))) {
+        held = held->next;
+    }
+    /* The folder may have been written by another program since. */
+    if (held && path &&
+        !murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, NULL) &&
+        strcmp(held->resolved, text) == 0) {
+        (void)murk_memory_copy(out, held->files);
+    }
+    free(text);
+    free(path);
+    free(whole);
 }
 
 void murk_context_destroy(murk_context *context)

@@ -112,10 +112,12 @@ static const cJSON *find_from(const murk_fields *fields, const cJSON *from,
      * the path. */
     for (size_t length = strlen(path);;) {
         const char *rest = path + length + (path[length] == '.');
+        const bool ends_in_dot = path[length] == '.' && !*rest;
         const cJSON *next = cJSON_IsArray(from)
                                 ? indexed_item(fields, from, path, length)
                                 : named_member(from, path, length);
-        const cJSON *found = next ? find_from(fields, next, rest) : NULL;
+        const cJSON *found =
+            next && !ends_in_dot ? find_from(fields, next, rest) : NULL;
         if (found) {
             return found;
         }

@@ -28,18 +28,22 @@ struct murk_fields {
     } last;
 };
 
-/* The arrays of a scene that a world or fit of the context holds, as an element
- * of a linked list. Pages of results of that scene show these arrays. */
+/* The files in memory of a world or fit of the context, as an element of a
+ * linked list. The page of a folder shows the arrays of the world or fit whose
+ * results were saved there last. */
 typedef struct murk_held_arrays murk_held_arrays;
 struct murk_held_arrays {
     murk_held_arrays *next;
     const murk_memory_files *files;
-    const char *resolved; /* text of the scene */
+    const char *resolved; /* text of the scene, by whose address the scene is
+                           * known */
+    char *folder;         /* of the last results, without links; NULL: none, or
+                           * another world or fit has saved there since */
 };
 
 struct murk_context {
     size_t references;
-    murk_held_arrays *held; /* the newest first */
+    murk_held_arrays *held;
     murk_host *host;
     unsigned threads;
     murk_context_options options;
@@ -142,13 +146,23 @@ struct murk_plan {
     murk_fields fields, saved;
 };
 
-/* Adds the arrays of a scene, if it has any, to the list of a context, until
- * murk_context_forget_arrays(). All three stay in place till then. */
+/* Adds the files in memory of a scene, if there are any, to the list of a
+ * context, until murk_context_forget_arrays(). All stay in place till then. */
 void murk_context_hold_arrays(murk_context *context, murk_held_arrays *held,
                               const murk_memory_files *files,
                               const murk_scene_desc *scene);
 /* Does nothing if they are not in the list. */
 void murk_context_forget_arrays(murk_context *context, murk_held_arrays *held);
+
+/* Notes that results of a scene, or of none (NULL), were saved to a folder. */
+void murk_context_note_folder(murk_context *context, const char *folder,
+                              const murk_scene_desc *scene);
+
+/* Makes *out a copy of the files in memory whose results are in the folder: the
+ * last that were saved there, if the text of their scene is still that of the
+ * folder. Empty if there are none, or when out of memory. */
+void murk_context_arrays_of(murk_memory_files *out, const murk_context *context,
+                            const char *folder);
 
 /* ---- a public call ---- */
 
@@ -160,6 +174,7 @@ void murk_context_forget_arrays(murk_context *context, murk_held_arrays *held);
  *     return murk_call_end(&call, work(..., &call.failure));
  */
 typedef struct murk_call {
+    murk_context *context;
     murk_host *host, *before;
     murk_error failure;
     murk_error *error; /* of the caller; may be NULL */

@@ -22,9 +22,10 @@ static murk_status add_key(cJSON *keys, const murk_yaml *map, size_t i,
                          map->key[i]);
     }
     cJSON *item = murk_json_item(keys);
-    cJSON_AddStringToObject(item, "key", map->key[i]);
-    cJSON_AddStringToObject(item, "value", node->text);
-    return MURK_OK;
+    return cJSON_AddStringToObject(item, "key", map->key[i]) &&
+                   cJSON_AddStringToObject(item, "value", node->text)
+               ? MURK_OK
+               : murk_no_memory(err, "", "for the keys of a file");
 }
 
 /* Adds the list `keys` to the object `root`. */

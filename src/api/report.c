@@ -66,27 +66,6 @@ static void warn_of_strangers(const char *folder,
     }
 }
 
-/* The arrays of the newest world or fit of the context whose scene has the text
- * of the folder's scene; NULL if there is none. */
-static const murk_memory_files *arrays_of(const murk_context *context,
-                                          const char *folder)
-{
-    char *path = context->held ? murk_path_join(folder, MURK_SCENE_NAME) : NULL;
-    char *text = NULL;
-    size_t size = 0;
-    const murk_held_arrays *held = NULL;
-    if (path && murk_file_read(&text, &size, path, MURK_YAML_MAX_BYTES, NULL) ==
-                    MURK_OK) {
-        held = context->held;
-        while (held && strcmp(held->resolved, text) != 0) {
-            held = held->next;
-        }
-    }
-    free(text);
-    free(path);
-    return held ? held->files : NULL;
-}
-
 static murk_status write_page(murk_fields *fields, const char *folder,
                               const char *path,
                               const murk_save_options *options, murk_error *err)
@@ -95,7 +74,7 @@ static murk_status write_page(murk_fields *fields, const char *folder,
     murk_report *report = NULL;
     murk_report_facts facts = {0};
     murk_progress_begin_group("report", 0, "");
-    murk_status status = murk_report_read(&report, folder, all.command, err);
+    murk_status status = murk_report_read(&report, folder, all.made_by, err);
     /* No page may be replaced that murk did not write. */
     if (!status) {
         facts = murk_report_describe(report);
@@ -131,9 +110,13 @@ murk_status murk_context_write_report(murk_context *context, const char *folder,
         path ? murk_save_check_options(options, &call.failure)
              : murk_no_memory(&call.failure, "", "for the page");
     if (!status) {
-        context->host->files = arrays_of(context, folder);
+        murk_memory_files arrays;
+        murk_context_arrays_of(&arrays, context, folder);
+        context->host->files = &arrays;
         status = write_page(&context->reported, folder, path, options,
                             &call.failure);
+        context->host->files = NULL;
+        murk_memory_release(&arrays);
     }
     free(path);
     murk_inputs_forget(&before);

@@ -347,5 +347,8 @@ murk_status murk_save_results(murk_call *call, const murk_session *from,
     if (!status) {
         status = save(of, &session, options, &late, &call->failure);
     }
+    if (!status && folder) {
+        murk_context_note_folder(call->context, folder, session.scene);
+    }
     return end_save(call, &session, saved, fields, status, &late);
 }

@@ -33,7 +33,6 @@ murk_status murk_command_report(const murk_options *options, murk_error *err)
     murk_given_save save = {.exports = NULL};
     const murk_fields *page = NULL;
     murk_status status = murk_given_save_begin(&save, options, err);
-    save.options.command = NULL; /* the folder is kept */
     if (!status) {
         status =
             murk_context_write_report(options->context, options->input,

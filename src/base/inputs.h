@@ -25,9 +25,9 @@
 void murk_inputs_begin(void);
 void murk_inputs_end(void);
 
-/* After murk_inputs_try(), files are added to a copy of the set, which
- * murk_inputs_forget() ends: work on files of its own does not protect these
- * files afterwards. No subprocess of the host may run at either call. */
+/* Files that are added between murk_inputs_try() and murk_inputs_forget() are
+ * in the set until murk_inputs_forget() alone, so that they may be overwritten
+ * afterwards. No subprocess of the host may run at either call. */
 typedef struct murk_inputs_before {
     _Atomic uint64_t *inputs; /* of the host, before */
     bool are_full;

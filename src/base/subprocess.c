@@ -75,7 +75,8 @@ typedef enum verdict {
     TOO_LONG = MURK_PIPE_TOO_LONG,
     STOPPED = MURK_PIPE_STOPPED,
     TOO_MUCH,
-    NO_MEMORY /* of this process */
+    NO_MEMORY, /* of this process */
+    GARBAGE    /* something else than messages of a reader */
 } verdict;
 
 static verdict reserve(inbox *in, uint64_t more, uint64_t max)
@@ -214,8 +215,8 @@ static void say_unconfined(void)
     }
 }
 
-/* Makes an error whose bytes may be any a struct with texts that end and a code
- * that exists. */
+/* Ends place and text of an error that came from the subprocess, which no more
+ * is used of, and replaces a code that does not exist. */
 static void confine(murk_error *err)
 {
     err->where[sizeof err->where - 1] = '\0';
@@ -248,7 +249,7 @@ static verdict receive(int fd, inbox *in, const murk_subprocess_limits *limits,
             continue;
         }
         if (h.kind != CHUNK && h.kind != INPUTS) {
-            return CUT_SHORT;
+            return GARBAGE;
         }
         v = reserve(in, h.size, limits->handed_bytes);
         if (v == RECEIVED) {
@@ -287,6 +288,10 @@ static murk_status explain(verdict v, int ended,
                          "holds more than %.3g GB, malformed or too large",
                          (double)limits->handed_bytes / 1e9);
     }
+    if (v == GARBAGE) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "malformed: its reader sent no result");
+    }
     if (v == TOO_LONG || (WIFSIGNALED(ended) && (WTERMSIG(ended) == SIGXCPU ||
                                                  WTERMSIG(ended) == SIGKILL))) {
         return murk_fail(err, MURK_BAD_FILE, where,
@@ -305,9 +310,20 @@ static murk_status explain(verdict v, int ended,
                      memory_gb);
 }
 
-/* Receives, then kills the subprocess, which has nothing left to do; one that
- * has ended, by a crash or by itself, keeps its exit status. Reports a failure
- * of the subprocess, or the error of the parser. */
+/* Kills the subprocess unless it has ended; then its number may be that of
+ * another process already, if the host waits for all its subprocesses. */
+static void end(pid_t pid)
+{
+    siginfo_t ended = {.si_pid = 0};
+    if (waitid(P_PID, (id_t)pid, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        ended.si_pid == 0) {
+        kill(pid, SIGKILL);
+    }
+}
+
+/* Receives, then ends the subprocess, which has nothing left to do; one that is
+ * about to end, by a crash or by itself, keeps its exit status. Reports a
+ * failure of the subprocess, or the error of the parser. */
 static murk_status take_result(int fd, pid_t pid, unsigned char **out,
                                size_t *size,
                                const murk_subprocess_limits *limits,
@@ -317,7 +333,7 @@ static murk_status take_result(int fd, pid_t pid, unsigned char **out,
     murk_error reported = {0};
     const verdict v = receive(fd, &in, limits, &reported);
     close(fd);
-    kill(pid, SIGKILL);
+    end(pid);
     const int ended = murk_pipe_wait(pid);
     /* A failure of the subprocess, or the error of the parser. */
     if (v != RECEIVED) {

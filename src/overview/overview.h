@@ -28,8 +28,8 @@ typedef struct murk_overview {
  * long as *out; its settings `threads` and `force` and its run.command count.
  * Release *out also after a failure. Fails as murk_section_file_check(),
  * murk_mesh_materials(), murk_lightmap_forecast(), murk_targets_check(),
- * murk_sites_find(), murk_poses_create() and murk_section_file_write(). If no
- * candidate is usable, the picture is drawn all the same. */
+ * murk_sites_find(), murk_poses_create() and murk_section_file_write(). If the
+ * candidates are refused, the picture is drawn all the same. */
 murk_status murk_overview_make(murk_overview *out, const murk_session *session,
                                const murk_section_file *picture,
                                murk_error *err);

@@ -152,7 +152,7 @@ static void list_sensors(legend *l, const murk_section_request *r)
              r->candidates->usable, plural(r->candidates->usable));
     } else {
         list(l, MURK_SYMBOL_NONE,
-             scene->sensors.given ? "no usable candidate for sensors"
+             scene->sensors.given ? "candidates for sensors: refused"
                                   : "no sensors");
     }
     if (scene->sensors.n_fixed > 0) {

@@ -12,7 +12,7 @@
  * user sets on purpose. */
 #define THIN_RATIO 10
 
-/* Remedies in both warnings. */
+/* What the warnings advise. */
 #define MORE "more photons"
 #define REMEDY                                                     \
     MORE ", or placement.weights: {surface: 1, volume: 1}, which " \

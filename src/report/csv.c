@@ -118,10 +118,10 @@ murk_status murk_report_csv(FILE *to, const murk_results_in *results,
     for (int i = 0; i < results->entries && !status; ++i) {
         const char *name = results->entry[i]->d_name;
         if (murk_name_ends(name, ".csv")) {
-            fputs(n++ ? ""
-                      : "<noscript>\n<section>\n<h2>Tables of the "
-                        "folder</h2>\n",
-                  to);
+            if (n++ == 0) {
+                fprintf(to, "<noscript>\n<section>\n<h2>Tables%s</h2>\n",
+                        results->made_by ? "" : " of the folder");
+            }
             status = add_file(to, results, name, &left, err);
         }
     }

@@ -102,9 +102,11 @@ static void write_commands(FILE *to, const murk_results_in *results)
     fputs("<h3>The commands that make it again</h3>\n", to);
     const bool has_typed = write_typed(to, results);
     /* Arrays of a program are in no file. */
-    const bool has_arrays =
-        results->scene &&
-        strstr(results->scene->resolved, MURK_MEMORY_PREFIX) != NULL;
+    const murk_scene_desc *scene = results->scene;
+    bool has_arrays = false;
+    for (size_t i = 0; scene && i < scene->files; ++i) {
+        has_arrays |= murk_memory_is(scene->file[i]);
+    }
     const bool has_scene =
         !results->json[MURK_RESULT_STUDY] && !results->json[MURK_RESULT_FIT] &&
         !has_arrays && murk_results_are_one_run(results) &&

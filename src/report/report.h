@@ -10,9 +10,10 @@
 
 typedef struct murk_report murk_report;
 
-/* Reads the folder; `folder` is borrowed. made_by: NULL, or of a folder that is
- * removed afterwards what made the results, borrowed: the page tells it in
- * place of the folder, its files and the commands that use it. The caller owns
+/* Reads the folder; `folder` is borrowed. made_by (borrowed) is NULL if the
+ * folder is kept. If the folder is removed afterwards, made_by says what made
+ * the results, and the page shows that in place of the name of the folder, the
+ * list of its files and the commands that use it. The caller owns
  * *out (murk_report_destroy()), also after a failure. Fails as
  * murk_results_read() does, or with MURK_NO_MEMORY. To be called before the
  * program makes a thread or a ray device. */

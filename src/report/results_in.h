@@ -46,8 +46,7 @@ typedef struct murk_results_in {
     murk_scene_desc *scene; /* the resolved scene; NULL: not there, or it cannot
                                be read, for the reason in no_scene */
     murk_error no_scene;
-    const char *made_by; /* what made the results, of which no folder is kept;
-                            NULL: the folder is kept. Borrowed */
+    const char *made_by; /* borrowed; as in murk_report_read() */
 } murk_results_in;
 
 /* Reads the main JSON files and the resolved scene. Fails with MURK_BAD_FILE or

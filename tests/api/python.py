@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import warnings
 import threading
 import time
 
@@ -132,6 +133,10 @@ def study_and_fit_agree(folder):
     found = murk.read_keys(os.path.join(folder, "saved-fit", "calibrated.yaml"))
     check(abs(found[key] / mine.parameters[0].value - 1) < 1e-4, "the keys that a fit has found")
     check(murk.Scene(file=room, **found)[key] == found[key], "a scene takes them")
+    words = os.path.join(folder, "words.yaml")
+    with open(words, "w", encoding="utf-8") as file:
+        file.write("a.b: 5\nc: -1.5e3\nd: true\ne: sphere\nf: 1_000\n# Does it fit? Not.\n")
+    check(murk.read_keys(words) == {"a.b": 5, "c": -1500.0, "d": True, "e": "sphere", "f": "1_000"}, "values of keys")
     options_of_a_fit(room, data, key)
     told = murk.Scene(file=room).fit(data, predict=os.path.join(folder, "saved-fit", "fit.json"))
     told.save(os.path.join(folder, "predicted"))
@@ -278,7 +283,16 @@ def grids_and_meshes():
         with open(page, encoding="utf-8") as file:
             text = file.read()
         check("cannot be read again" not in text and "Light.report() of a program in Python" in text, "a page of arrays")
-        check("Files of the folder" not in text and "murk place" not in text, "no command makes it again")
+        check("Files of the folder" not in text and "murk trace" not in text, "no command makes it again")
+        # another world has another grid under the same name: each page shows that of its own
+        scene.add_grid("smoke", numpy.full((20, 4, 4), 0.5), cell_m=0.5, origin_m=(0.25, -0.75, -0.75))
+        thicker = scene.trace()
+        most_per_m = []
+        for one in (light, thicker, light):
+            one.report(page)
+            with open(page, encoding="utf-8") as file:
+                most_per_m += re.findall(r'"most_per_m":([\d.]+)', file.read())
+        check(most_per_m == ["0.25", "0.5", "0.25"], f"the extinctions on pages of two grids: {most_per_m}")
         # results may be saved again after a page was made of them
         light.save(os.path.join(folder, "out"))
         with open(murk.report(os.path.join(folder, "out")), encoding="utf-8") as file:
@@ -301,6 +315,28 @@ def examples_of_arrays():
         for code in codes:
             exec(code, names)  # noqa: S102
         check(is_used(scene), f"the example of {method}")
+
+
+def warnings_of_calls():
+    """A warning is given at the line of the user; as an error, it leaves the next call alone."""
+    escaping = ROOM  # four fifths of its light leave through the sides
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        murk.Scene(escaping).world().check()
+    check(heard and all(os.path.samefile(one.filename, __file__) for one in heard), "the line of a warning")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            murk.Scene(escaping).world().check()
+        except UserWarning:
+            pass
+        else:
+            check(False, "no warning as an error")
+        try:
+            murk.Scene({**escaping, "seed": -1}).world()
+        except murk.Error as error:
+            check("seed" in str(error), "an error of the call itself")
+    check(len(murk.Scene(ROOM).trace().volume) > 0, "a call after warnings that were errors")
 
 
 # ---- threads, cancelling, leaks ----
@@ -556,7 +592,7 @@ def pickles():
     check(again[1].result == plan.result and again[1].coverage == plan.coverage, "a plan")
     check(again[2].coverage.in_sample == seen.coverage.in_sample, "a coverage")
     check(pickle.loads(pickle.dumps(copy)).ledger == light.ledger, "a pickle of a pickle")
-    for work in (copy.place, lambda: copy.save("x"), lambda: again[0].save("x"), lambda: again[1].save("x"),
+    for work in (copy.place, copy.render, lambda: copy.save("x"), lambda: again[0].save("x"), lambda: again[1].save("x"),
                  lambda: copy.tally("boxes"), lambda: again[2].matrix):
         try:
             work()
@@ -660,6 +696,7 @@ def main():
         pictures(folder)
     arrays()
     grids_and_meshes()
+    warnings_of_calls()
     examples_of_arrays()
     keys()
     interpreter_is_free()

@@ -236,6 +236,28 @@ static void run_study(murk_context *context, const char *path, const char *out)
     murk_study_destroy(study);
 }
 
+/* A page of a folder that is said not to be kept names neither the folder nor
+ * its files. */
+static void check_page(murk_context *context, const char *folder,
+                       const char *out)
+{
+    const murk_save_options made = {.size = sizeof made,
+                                    .made_by = "a program of a test"};
+    static char text[1 << 20];
+    char *page = strdup(folder_of(out, "page.html"));
+    must(murk_context_write_report(context, folder, page, &made, NULL, &error));
+    FILE *file = fopen(page, "rb");
+    CHECK(file != NULL);
+    const size_t size = fread(text, 1, sizeof text - 1, file);
+    fclose(file);
+    text[size] = '\0';
+    CHECK(strstr(text, "Results of a program of a test") != NULL);
+    CHECK(strstr(text, "a program of a test makes them again") != NULL);
+    CHECK(!strstr(text, "of the folder"));
+    remove(page);
+    free(page);
+}
+
 /* A fit with all its options, then a prediction at its values. */
 static void run_fit(murk_context *context, const char *path, const char *data,
                     const char *out)
@@ -276,6 +298,7 @@ static void run_fit(murk_context *context, const char *path, const char *data,
     must(murk_fit_save(fit, folder, &said, &fields, &error));
     check_saved(fields, folder, "fit.json");
     murk_fit_destroy(fit);
+    check_page(context, folder, out);
     /* Predict. */
     snprintf(values, sizeof values, "%s", folder_of(out, "fit/fit.json"));
     const murk_fit_options predicts = {.size = sizeof predicts,

@@ -128,8 +128,8 @@ expect 2 "--set placement.redundancy=17: 17, must be 1..16" --set placement.redu
 expect 2 "redundancy is 2, must be 1 where views are independent chances" --set placement.redundancy=2 --set placement.detection=independent --count 1
 expect 2 "--set placement.restarts=0: 0, must be 1..1e6" --set placement.restarts=0 --count 1
 expect 2 "stands in place of a scene" scenes/paper-room.yaml --count 1
-expect 2 "--export: lp,png, must be of" --export lp,png --count 1
-expect 2 "--export: , must be of" --export "" --count 1
+expect 2 "--export: \"png\" is not an export; allowed are" --export lp,png --count 1
+expect 2 "--export: \"\" is not an export; allowed are" --export "" --count 1
 file=$dir/absent.csv
 expect 2 "absent.csv" --count 1
 file=$dir
