@@ -370,7 +370,7 @@ static murk_status trace_world(murk_model *m, size_t c, murk_error *err)
 murk_status murk_model_trace(murk_model *m, const double *value,
                              murk_error *err)
 {
-    /* Warnings about the worlds are printed once. */
+    /* Warnings about the worlds are told until a trace has succeeded. */
     const murk_warn_sink sink = m->was_built ? murk_warn_to(NULL) : NULL;
     memcpy(m->traced, value, m->n * sizeof *value);
     for (size_t k = 0; k < m->n; ++k) {
