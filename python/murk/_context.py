@@ -16,7 +16,7 @@ Progress = Callable[[str, int, Union[int, None], str, float], object]
 @ffi.callback("murk_log_function")  # type: ignore[misc]
 def _log(user: Any, is_warning: bool, where: Any, message: Any) -> None:
     context: Context = ffi.from_handle(user)
-    context._heard(bool(is_warning), string(where), string(message))
+    context._heard(bool(is_warning), string(where), in_python(string(message)))
 
 
 @ffi.callback("murk_progress_function")  # type: ignore[misc]
@@ -150,7 +150,7 @@ class Context:
         if self._log is not None:
             self._guard(self._log, is_warning, where, message)
         elif is_warning:
-            self._warnings.append(in_python(f"{where}: {message}" if where else message))
+            self._warnings.append(f"{where}: {message}" if where else message)
 
     def _progressed(self, *state: Any) -> None:
         self._guard(self._told, *state)

@@ -385,8 +385,7 @@ class Light:
         from_sensor: the view of that one of the sensors, from 1 on, in place of a camera. pixels: width and height;
         samples: of each pixel; by default those of the camera, of a sensor 640 pixels across and 16 samples, which may
         take a minute. "maps" wants some 1e6 photons where a plan wants 1e4 (`photons.emit`): with few the picture is
-        blotchy. Raises Error if there is no such camera, sensor or
-        method.
+        blotchy. Raises Error if there is no such camera, sensor or method.
 
         Example: `light.render("gate").radiance[0]`.
         """

@@ -80,8 +80,9 @@ class Picture:
 
         "distance_m"; of band b "radiance.b", "error.b" (its standard error), "surface.b" and "volume.b" (parts of the
         radiance) [W/m2/sr], "depth.b" (optical depth); "rgb.0" to "rgb.2", "rgb_error.0" to "rgb_error.2";
-        "position_m.0" to "position_m.2" [m]; with sensors "coverage.count" (how many see the surface of the pixel; NaN without a surface) and
-        "coverage.clarity" (the largest clarity of their views, 0 to 1). Raises Error if the picture has no such channel.
+        "position_m.0" to "position_m.2" [m]; with sensors "coverage.count" (how many see the surface of the
+        pixel; NaN without a surface) and "coverage.clarity" (the largest clarity of their views, 0 to 1). Raises Error
+        if the picture has no such channel.
 
         Example: `picture.array("volume.0")`.
         """

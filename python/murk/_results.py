@@ -116,7 +116,8 @@ def report(folder: Path, page: Path | None = None, context: Context | None = Non
 
     folder: what a `save()` or the program's `-o` wrote. page None: report.html in the folder. A file that murk did not
     write is not replaced. Arrays of the scene are in no file: the page shows them if the world, light, plan or fit that
-    was saved to the folder still exists, in the same context. Raises Error if the folder holds no results. Source: `murk report`.
+    was saved to the folder last still exists, in the same context. Raises Error if the folder holds no results.
+    Source: `murk report`.
 
     Example: `murk.report("out", "page.html")`.
     """

@@ -39,6 +39,9 @@ static murk_status list_keys(cJSON *root, const char *path, const char *text,
                            "must be a map of KEY: VALUE, as calibrated.yaml");
     }
     cJSON *keys = cJSON_AddArrayToObject(root, "keys");
+    if (!status && !keys) {
+        status = murk_no_memory(err, path, "for its keys");
+    }
     for (size_t i = 0; !status && i < map->n; ++i) {
         status = add_key(keys, map, i, err);
     }
