@@ -203,7 +203,7 @@ murk_status murk_overview_make(murk_overview *out, const murk_session *session,
     const murk_scene_desc *scene = session->scene;
     const murk_stage *stage = session->stage;
     const unsigned threads = session->settings.threads;
-    bool unusable = false;
+    bool is_refused = false;
     *out = (murk_overview){.session = session, .picture = picture->path};
     /* A picture that cannot be written is refused before the pilot run. */
     murk_status status =
@@ -228,10 +228,10 @@ murk_status murk_overview_make(murk_overview *out, const murk_session *session,
     }
     if (!status && scene->sensors.given) {
         status = murk_sites_find(&out->candidates, stage, threads, err);
-        /* A picture shows why candidates are not usable, so it is drawn before
-         * the failure is told. */
-        unusable = status == MURK_BAD_VALUE && picture->path;
-        status = unusable ? MURK_OK : status;
+        /* A picture may show why the candidates are refused, so it is drawn
+         * before the failure is told. */
+        is_refused = status == MURK_BAD_VALUE && picture->path;
+        status = is_refused ? MURK_OK : status;
     }
     if (!status && out->candidates) {
         status = murk_poses_create(&out->poses, scene, &stage->world.domain,
@@ -247,7 +247,7 @@ murk_status murk_overview_make(murk_overview *out, const murk_session *session,
         status = murk_section_file_write(picture, &out->section,
                                          session->run.command, err);
     }
-    return unusable ? MURK_BAD_VALUE : status; /* err has the first failure */
+    return is_refused ? MURK_BAD_VALUE : status; /* err has the first failure */
 }
 
 void murk_overview_release(murk_overview *overview)
