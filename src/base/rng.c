@@ -1,36 +1,24 @@
-/* Random numbers by Philox4x32-10 of the package Random123 (Salmon et al. 2011,
- * base/rng.h). Seed and purpose are the key of the cipher; photon, event and
- * slot are the counter. */
+/* Random numbers addressed by name: the words of Philox4x32-10 (base/philox.h),
+ * Salmon et al. 2011, and the numbers between 0 and 1 that are made of them. */
 #include "base/rng.h"
 
-#include <Random123/philox.h>
-
-static inline void words_at(uint32_t seed, uint32_t purpose, uint64_t photon,
-                            uint32_t event, uint32_t slot, uint32_t word[4])
-{
-    const philox4x32_key_t key = {{seed, purpose}};
-    const philox4x32_ctr_t counter = {
-        {(uint32_t)photon, (uint32_t)(photon >> 32), event, slot}};
-    const philox4x32_ctr_t bits = philox4x32(counter, key);
-    for (int i = 0; i < 4; ++i) {
-        word[i] = bits.v[i];
-    }
-}
+#include "base/philox.h"
 
 void murk_random_words(uint32_t seed, uint32_t purpose, uint64_t photon,
                        uint32_t event, uint32_t slot, uint32_t word[4])
 {
-    words_at(seed, purpose, photon, event, slot, word);
+    murk_philox(seed, purpose, (uint32_t)photon, (uint32_t)(photon >> 32),
+                event, slot, word);
 }
 
 murk_random4 murk_random(uint32_t seed, uint32_t purpose, uint64_t photon,
                          uint32_t event, uint32_t slot)
 {
     uint32_t word[4];
-    words_at(seed, purpose, photon, event, slot, word);
+    murk_random_words(seed, purpose, photon, event, slot, word);
     murk_random4 out;
     for (int i = 0; i < 4; ++i) {
-        out.u[i] = (word[i] + 0.5) * 0x1p-32; /* mid-bin: never 0 or 1 */
+        out.u[i] = murk_uniform(word[i]);
     }
     return out;
 }

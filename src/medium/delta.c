@@ -4,6 +4,7 @@
  * (medium/bricks.h). */
 #include "medium/delta.h"
 
+#include "base/logarithm.h"
 #include "medium/bricks.h"
 #include "medium/linear.h"
 
@@ -32,12 +33,12 @@ static void next_randoms(murk_flight *f)
     murk_flight_randoms *stream = f->stream;
     if (stream->has_pair) {
         stream->has_pair = false;
-        f->limit = -log(stream->pair[0]);
+        f->limit = -murk_log(stream->pair[0]);
         f->u = stream->pair[1];
         return;
     }
     const murk_random4 random = murk_random_at(stream->address, ++stream->slot);
-    f->limit = -log(random.u[0]);
+    f->limit = -murk_log(random.u[0]);
     f->u = random.u[1];
     stream->pair[0] = random.u[2];
     stream->pair[1] = random.u[3];

@@ -331,27 +331,38 @@ static double albedo_of(const ray *r, const murk_place *place, murk_vec3 at)
     return murk_albedo_at(&r->media->media[place->medium], place, r->band, at);
 }
 
+bool murk_media_even(const murk_media *media, int band,
+                     double *extinction_per_m, murk_collision *collision)
+{
+    if (!media->is_even) {
+        return false;
+    }
+    const size_t number = media->places[0].medium;
+    const murk_medium *medium = &media->media[number];
+    const double extinction = medium->extinction_per_m.band[band];
+    const double albedo = medium->albedo.band[band];
+    *extinction_per_m = extinction;
+    *collision = (murk_collision){.medium = number,
+                                  .albedo = albedo,
+                                  .phase = &medium->phase[band],
+                                  .scattering_per_m = extinction * albedo};
+    return true;
+}
+
 /* fly() for a scene that is one homogeneous medium: a short cut, since fly()
  * would spend most of its time on finding out that there is no other region. */
 static bool fly_evenly(const ray *r, double length_m, murk_collision *collision)
 {
     const murk_vec3 o = r->origin, d = r->direction;
-    const size_t number = r->media->places[0].medium;
-    const murk_medium *medium = &r->media->media[number];
-    const double extinction = medium->extinction_per_m.band[r->band];
+    double extinction;
+    murk_media_even(r->media, r->band, &extinction, collision);
     if (!(extinction > 0 && length_m > 0 &&
           extinction * length_m >= r->limit) ||
         isnan(o.x + o.y + o.z + d.x + d.y + d.z)) {
         return false;
     }
     const double distance = r->limit / extinction;
-    const double albedo = medium->albedo.band[r->band];
-    *collision = (murk_collision){.distance_m =
-                                      distance < length_m ? distance : length_m,
-                                  .medium = number,
-                                  .albedo = albedo,
-                                  .phase = &medium->phase[r->band],
-                                  .scattering_per_m = extinction * albedo};
+    collision->distance_m = distance < length_m ? distance : length_m;
     return true;
 }
 

@@ -158,6 +158,12 @@ bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
                     double tau, double u, murk_collision *collision);
 
+/* True if one homogeneous medium fills the domain: then *extinction_per_m is
+ * the extinction of that medium, and *collision any collision, with distance_m
+ * 0. */
+bool murk_media_even(const murk_media *media, int band,
+                     double *extinction_per_m, murk_collision *collision);
+
 /* Computes the majorants per brick that murk_media_fly_delta() needs. Fails
  * with MURK_NO_MEMORY. */
 murk_status murk_media_prepare_delta(murk_media *media, murk_error *err);

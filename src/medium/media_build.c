@@ -281,6 +281,21 @@ static murk_status boundary_all(murk_media *media, const murk_region *regions,
                                         regions, domain, err);
 }
 
+/* True if one homogeneous medium fills the domain. free_flight.c has a short
+ * cut for such media. A photon does not leave the domain, so a box around the
+ * domain is as good as a region that is everywhere. */
+static bool is_even(const murk_media *media, const murk_box *domain)
+{
+    const murk_place *only = &media->places[0];
+    const bool is_around = only->shape == MURK_REGION_EVERYWHERE ||
+                           (only->shape == MURK_REGION_BOX && !only->is_moved &&
+                            murk_box_contains(&only->box, domain->min) &&
+                            murk_box_contains(&only->box, domain->max));
+    return media->n_places == 1 && is_around &&
+           only->filling == MURK_FILLED_EVENLY &&
+           !media->media[only->medium].albedo_grid;
+}
+
 murk_status murk_media_create(murk_media **out, const murk_medium *media,
                               size_t n_media, const murk_region *regions,
                               size_t n_regions, const murk_box *domain,
@@ -322,11 +337,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
         memcpy(made->media, media, n_media * sizeof *media);
     }
     status = place_all(made, regions, n_regions, domain, err);
-    /* One homogeneous medium everywhere has a short cut in free_flight.c. */
-    made->is_even = n_regions == 1 &&
-                    made->places[0].shape == MURK_REGION_EVERYWHERE &&
-                    made->places[0].filling == MURK_FILLED_EVENLY &&
-                    !made->media[made->places[0].medium].albedo_grid;
+    made->is_even = is_even(made, domain);
     if (!status) {
         status = boundary_all(made, regions, n_regions, domain, err);
     }

@@ -19,7 +19,7 @@ struct murk_media {
     size_t n_boundaries;
     bool
         borrows_places; /* places and boundaries belong to another murk_media */
-    bool is_even;       /* one homogeneous region everywhere */
+    bool is_even;       /* one homogeneous region that fills the domain */
     double near_m;      /* boundaries closer than this are one */
     bool in_band[MURK_BANDS_MAX]; /* false: in this band the extinction is 0 in
                                      all regions */

@@ -9,26 +9,11 @@
 /* Solid angle of the sphere. */
 #define FOUR_PI 12.566370614359172
 
-/* Below this the inverse CDF loses digits to cancellation (error ~ eps / |g|),
- * while treating the phase function as isotropic costs at most |g|. */
-#define G_ISOTROPIC 1e-8
-
 double murk_hg_density(double g, double mu)
 {
     assert(g > -1 && g < 1 && mu >= -1 && mu <= 1);
     const double d = 1 + g * g - 2 * g * mu;
     return (1 - g * g) / (FOUR_PI * d * sqrt(d));
-}
-
-double murk_hg_sample(double g, double u)
-{
-    assert(g > -1 && g < 1 && u > 0 && u < 1);
-    if (fabs(g) < G_ISOTROPIC) {
-        return 2 * u - 1;
-    }
-    const double s = (1 - g * g) / (1 - g + 2 * g * u);
-    const double mu = (1 + g * g - s * s) / (2 * g);
-    return mu > 1 ? 1 : mu < -1 ? -1 : mu; /* rounding near the ends of u */
 }
 
 /* u chooses one of the two terms. The position of u within the share of that

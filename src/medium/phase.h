@@ -17,6 +17,7 @@
 #include "base/status.h"
 #include "medium/phase_table.h"
 
+#include <math.h>
 #include <stdbool.h>
 
 /* One phase function, held by value. All zero: isotropic. */
@@ -74,8 +75,19 @@ bool murk_phase_is_same(const murk_phase *a, const murk_phase *b);
  * Needs -1 <= mu <= 1 and -1 < g < 1. */
 double murk_hg_density(double g, double mu);
 
-/* A cosine distributed as murk_hg_density: the inverse CDF at u in (0, 1).
- * Exact: mean is g, variance is (1 - g^2) / 3. */
-double murk_hg_sample(double g, double u);
+/* Below this |g| the inverse CDF loses digits to cancellation (error ~ eps /
+ * |g|), while treating the phase function as isotropic costs at most |g|. */
+#define MURK_HG_ISOTROPIC 1e-8
+
+/* A cosine distributed as murk_hg_density: the inverse CDF at u in (0, 1), for
+ * -1 < g < 1. Exact: mean is g, variance is (1 - g^2) / 3. Inline and without
+ * branches, so that a compiler can compute it for several photons at once. */
+static inline double murk_hg_sample(double g, double u)
+{
+    const double s = (1 - g * g) / (1 - g + 2 * g * u);
+    const double inverse = (1 + g * g - s * s) / (2 * g);
+    const double mu = fabs(g) < MURK_HG_ISOTROPIC ? 2 * u - 1 : inverse;
+    return mu > 1 ? 1 : mu < -1 ? -1 : mu; /* rounding near the ends of u */
+}
 
 #endif

@@ -64,7 +64,6 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
                  worker % ledger->lanes * ledger->channels * s.absorbers;
     s.scorer =
         trace->tallies ? murk_tallies_scorer(trace->tallies, worker) : NULL;
-    s.are_segments_wanted = s.scorer || trace->segment_sink;
     for (uint64_t i = 0; i < n && !murk_interrupted(); ++i) {
         murk_walk_photon(&r->setup, &s, batch, first + i);
     }

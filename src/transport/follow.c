@@ -48,7 +48,6 @@ murk_status murk_follower_create(murk_follower **out, const murk_trace *trace,
     f->sums.absorber = absorber;
     f->sums.materials = materials;
     f->sums.absorbers = absorbers;
-    f->sums.are_segments_wanted = trace->segment_sink != NULL;
     *out = f;
     return MURK_OK;
 }

@@ -235,8 +235,8 @@ murk_fate murk_meet_side(murk_walker *w, double path_m)
     }
     ++w->wraps;
     murk_path_sides_put(sides, axis, !upper, &w->path.position);
-    if (w->sums->scorer) {
-        murk_score_jump(w->sums->scorer,
+    if (w->score) {
+        murk_score_jump(w->score,
                         (murk_station){beyond_side(w, axis, !upper), 0});
     }
     if (w->setup->space.any_boundaries) {

@@ -54,20 +54,48 @@ typedef struct murk_tally_bin {
     murk_wide_sum sum, squares;
 } murk_tally_bin;
 
-/* The state of one thread. */
-typedef struct murk_scorer {
-    const murk_tallies *tallies;
-    murk_tally_bin
-        *cell; /* [cells] of the channel of the current photon, in `copy` */
+/* A contribution of a photon to a cell [quanta]. */
+typedef struct murk_score_entry {
+    double value;
+    uint32_t cell;
+} murk_score_entry;
+
+/* Contributions that a photon may list before the list is emptied into the sums
+ * of the photon: a photon of an ordinary run has fewer. */
+#define MURK_SCORE_ENTRIES 2048
+
+/* Photons of one thread that are under way at the same time, at most. */
+#define MURK_SCORE_PATHS 32
+
+typedef struct murk_scorer murk_scorer;
+
+/* A photon under way. */
+typedef struct murk_score_path {
+    murk_scorer *scorer;
+    murk_tally_bin *cell; /* [cells] of the channel of the photon */
     murk_station at;
-    double *side;      /* [planes]: signed distance of `at` beyond each plane */
-    double *value;     /* [cells]: sums of the current photon; 0 between
-                        * photons */
+    double *side; /* [planes]: signed distance of `at` beyond each plane */
+    murk_score_entry
+        *entry; /* [MURK_SCORE_ENTRIES], in the order of the path */
+    size_t n_entries;
+    bool has_sums; /* the list has been emptied: the sums of the scorer belong
+                    * to this photon, and no other photon of the thread may end
+                    * before */
+} murk_score_path;
+
+/* The state of one thread. */
+struct murk_scorer {
+    const murk_tallies *tallies;
+    double
+        *value; /* [cells]: sums of the photon that ends; 0 between photons */
     uint32_t *touched; /* [cells]: numbers of the cells that are not 0 */
     size_t n_touched;
-    murk_tally_bin *copy; /* [channels][cells] */
-    bool is_alone;        /* no other scorer adds to this copy */
-} murk_scorer;
+    murk_tally_bin *copy;      /* [channels][cells] */
+    bool is_alone;             /* no other scorer adds to this copy */
+    double *sides;             /* [MURK_SCORE_PATHS][planes] */
+    murk_score_entry *entries; /* [MURK_SCORE_PATHS][MURK_SCORE_ENTRIES] */
+    murk_score_path path[MURK_SCORE_PATHS];
+};
 
 struct murk_tallies {
     size_t n;
@@ -88,42 +116,50 @@ struct murk_tallies {
 murk_scorer *murk_tallies_scorer(murk_tallies *tallies, unsigned worker);
 
 /* Begins a photon of a channel. */
-void murk_score_start(murk_scorer *scorer, size_t channel, murk_station at);
+void murk_score_start(murk_score_path *path, size_t channel, murk_station at);
 
 /* Adds a straight segment along a unit direction with a number of quanta.
  * Lengths are taken from `from`, direction and length_m. The chain continues
  * from its last position to `at`. */
-void murk_score_segment(murk_scorer *scorer, murk_vec3 from,
+void murk_score_segment(murk_score_path *path, murk_vec3 from,
                         murk_vec3 direction, double length_m, double quanta,
                         murk_station at);
 
 /* Continues the chain at another position, to which the photon was moved by a
- * periodic side. No plane counts as crossed in between. */
-void murk_score_jump(murk_scorer *scorer, murk_station at);
+ * periodic side: no crossing is scored between the two positions. */
+void murk_score_jump(murk_score_path *path, murk_station at);
 
-/* Ends the photon and adds the sums to the tallies. takes_back: subtracts them
- * instead. */
-void murk_score_end(murk_scorer *scorer, bool takes_back);
+/* Ends the photon: rounds the sum of each cell, and adds it to the tallies or,
+ * with takes_back, subtracts it instead. */
+void murk_score_end(murk_score_path *path, bool takes_back);
 
 /* Adds the part of a segment that lies in a grid, for each cell
  * (transport/score_grid.c). */
-void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
+void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
                         murk_vec3 from, murk_vec3 direction, double length_m,
                         double quanta);
 
-static inline void murk_score_add(murk_scorer *scorer, uint32_t cell,
+/* Empties the list of a photon into the sums of the scorer. */
+void murk_score_spill(murk_score_path *path);
+
+static inline void murk_score_add(murk_score_path *path, uint32_t cell,
                                   double value)
 {
-    double *const sum = &scorer->value[cell];
     if (!(value > 0)) {
         return;
     }
-    if (*sum == 0) { /* the sums of the cell will be needed at the end of the
-                      * photon: load these sums in advance */
-        __builtin_prefetch(&scorer->cell[cell], 1);
-        scorer->touched[scorer->n_touched++] = cell;
+    /* In dense media many segments in a row lie in the same cell. */
+    if (path->n_entries > 0 && path->entry[path->n_entries - 1].cell == cell) {
+        path->entry[path->n_entries - 1].value += value;
+        return;
     }
-    *sum += value;
+    if (path->n_entries == MURK_SCORE_ENTRIES) {
+        murk_score_spill(path);
+    }
+    /* The sums of the cell will be needed at the end of the photon: load these
+     * sums in advance. */
+    __builtin_prefetch(&path->cell[cell], 1);
+    path->entry[path->n_entries++] = (murk_score_entry){value, cell};
 }
 
 #endif

@@ -55,7 +55,7 @@ static inline uint32_t cell_at(const murk_lattice *lattice, int64_t x,
            (uint32_t)x;
 }
 
-static void cross_cells(murk_scorer *scorer, const murk_lattice *lattice,
+static void cross_cells(murk_score_path *path, const murk_lattice *lattice,
                         axis_walk w[3], double t, double end_m,
                         double quanta_per_m)
 {
@@ -72,7 +72,7 @@ static void cross_cells(murk_scorer *scorer, const murk_lattice *lattice,
         const double until = is_last ? end_m : ahead->next_m;
         /* Score the length within the cell, then enter the next one. */
         if (until > t) {
-            murk_score_add(scorer, (uint32_t)cell, (until - t) * quanta_per_m);
+            murk_score_add(path, (uint32_t)cell, (until - t) * quanta_per_m);
             t = until;
         }
         if (is_last) {
@@ -105,7 +105,7 @@ static inline bool stays(const murk_lattice *lattice, const double at[3],
     return true;
 }
 
-void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
+void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
                         murk_vec3 from, murk_vec3 direction, double length_m,
                         double quanta)
 {
@@ -120,7 +120,7 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
     /* Most steps in dense media stay in one cell. */
     uint32_t cell;
     if (stays(lattice, at, pace, length_m, &cell)) {
-        murk_score_add(scorer, cell, length_m * quanta_per_m);
+        murk_score_add(path, cell, length_m * quanta_per_m);
         return;
     }
     /* Else from face to face through the part of the segment that lies in the
@@ -133,5 +133,5 @@ void murk_score_lattice(murk_scorer *scorer, const murk_lattice *lattice,
     axis_walk w[3] = {axis_walk_of(at[0], pace[0], begin_m, n[0], 1),
                       axis_walk_of(at[1], pace[1], begin_m, n[1], n[0]),
                       axis_walk_of(at[2], pace[2], begin_m, n[2], n[0] * n[1])};
-    cross_cells(scorer, lattice, w, begin_m, end_m, quanta_per_m);
+    cross_cells(path, lattice, w, begin_m, end_m, quanta_per_m);
 }

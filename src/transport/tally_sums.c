@@ -46,7 +46,9 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
                         (double)channels * sizeof(murk_tally_bin);
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
-    return sizeof(murk_tallies) + cells * (sums + scratch) +
+    const double lists = (double)scorers_of(threads) * MURK_SCORE_PATHS *
+                         MURK_SCORE_ENTRIES * sizeof(murk_score_entry);
+    return sizeof(murk_tallies) + lists + cells * (sums + scratch) +
            largest_grid * bands * WRITTEN_BYTES;
 }
 
@@ -116,11 +118,20 @@ static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
     murk_scorer *s = calloc(1, sizeof *s);
     if (s) {
         s->tallies = t;
-        s->side = calloc(t->planes + 1, sizeof *s->side);
+        s->sides = calloc(MURK_SCORE_PATHS * (t->planes + 1), sizeof *s->sides);
+        s->entries =
+            malloc(MURK_SCORE_PATHS * MURK_SCORE_ENTRIES * sizeof *s->entries);
         s->value = calloc(t->cells, sizeof *s->value);
         s->touched = malloc(t->cells * sizeof *s->touched);
         s->is_alone = t->copies == t->scorers;
         s->copy = t->cell + number % t->copies * t->channels * t->cells;
+        for (size_t i = 0; s->sides && s->entries && i < MURK_SCORE_PATHS;
+             ++i) {
+            s->path[i] =
+                (murk_score_path){.scorer = s,
+                                  .side = s->sides + i * (t->planes + 1),
+                                  .entry = s->entries + i * MURK_SCORE_ENTRIES};
+        }
     }
     return s;
 }
@@ -136,7 +147,7 @@ static bool provide(murk_tallies *t, unsigned threads)
     bool has_all = t->cell && t->scorer;
     for (size_t i = 0; has_all && i < t->scorers; ++i) {
         murk_scorer *s = t->scorer[i] = scorer_made(t, i);
-        has_all = s && s->side && s->value && s->touched;
+        has_all = s && s->sides && s->entries && s->value && s->touched;
     }
     return has_all;
 }
@@ -194,7 +205,8 @@ void murk_tallies_destroy(murk_tallies *t)
     }
     for (size_t i = 0; t->scorer && i < t->scorers; ++i) {
         if (t->scorer[i]) {
-            free(t->scorer[i]->side);
+            free(t->scorer[i]->sides);
+            free(t->scorer[i]->entries);
             free(t->scorer[i]->value);
             free(t->scorer[i]->touched);
             free(t->scorer[i]);

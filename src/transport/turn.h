@@ -1,6 +1,7 @@
 /* Rotation of a direction by a scattering angle, for scattering and diffuse
- * reflection. The functions are inline because the photon loop spends much time
- * in them. For use inside src/transport only. */
+ * reflection. The functions are inline and have no branches, so that a compiler
+ * can compute them for several photons at once (transport/lanes_step.c). For
+ * use inside src/transport only. */
 #ifndef MURK_TRANSPORT_TURN_H
 #define MURK_TRANSPORT_TURN_H
 
@@ -12,10 +13,7 @@
  * time of a collision, and gives the same bits on every machine. */
 static inline void murk_turn_once(double u, double *cosine, double *sine)
 {
-    /* Cosine and sine of whole quarter turns. */
-    static const double quarter_cosine[] = {1, 0, -1, 0, 1};
-    static const double quarter_sine[] = {0, 1, 0, -1, 0};
-    const int quarter = (int)(4 * u + 0.5);
+    const double quarter = floor(4 * u + 0.5);
     const double x = 2 * MURK_PI * (u - 0.25 * quarter), x2 = x * x;
     const double s =
         x * (1 + x2 * (-1. / 6 +
@@ -32,9 +30,14 @@ static inline void murk_turn_once(double u, double *cosine, double *sine)
                                     x2 * (-1. / 3628800 +
                                           x2 * (1. / 479001600 -
                                                 x2 * (1. / 87178291200)))))));
-    const double qc = quarter_cosine[quarter], qs = quarter_sine[quarter];
-    *cosine = qc * c - qs * s;
-    *sine = qs * c + qc * s;
+    /* An odd number of quarter turns exchanges the two; the signs follow from
+     * the quarter, 0 to 4. */
+    const bool is_odd = quarter == 1 || quarter == 3;
+    const bool is_left = quarter == 1 || quarter == 2;
+    const bool is_below = quarter == 2 || quarter == 3;
+    const double first = is_odd ? s : c, second = is_odd ? c : s;
+    *cosine = is_left ? -first : first;
+    *sine = is_below ? -second : second;
 }
 
 /* One Newton step towards length 1: the remaining error is the square of the

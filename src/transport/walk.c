@@ -12,6 +12,7 @@
  * (path/path.h). */
 #include "transport/walk.h"
 
+#include "base/logarithm.h"
 #include "medium/phase.h"
 #include "transport/jump.h"
 #include "transport/meet.h"
@@ -43,7 +44,7 @@ static inline bool collides(const murk_walker *w, double length_m,
     hit->u[0] = random.u[2];
     hit->u[1] = random.u[3];
     const murk_media *media = w->setup->world->media;
-    const double tau = -log(random.u[0]);
+    const double tau = -murk_log(random.u[0]);
     if (w->setup->trace->by_delta) {
         const murk_address address = murk_walker_address(w, MURK_FLIGHT);
         return murk_media_fly_delta(
@@ -296,49 +297,73 @@ murk_walk_setup murk_walk_setup_of(const murk_trace *trace)
         .min_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }
 
-void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
-                      uint64_t photon)
+murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
+                                 murk_sums *s, murk_score_path *score,
+                                 uint64_t batch, uint64_t photon)
 {
     const murk_transport_world *world = r->world;
     const size_t channel = murk_sources_channel_of(world->lights, photon);
-    murk_walker w = {.setup = r,
-                     .sums = s,
-                     .batch = batch,
-                     .photon = photon,
-                     .quanta = MURK_PACKET,
-                     .channel = channel,
-                     .light = channel / (size_t)world->bands,
-                     .band = (int)(channel % (size_t)world->bands),
-                     .event_class = MURK_CLASS_FIRST,
-                     .path = {.space = &r->space, .length_m = INFINITY}};
+    *w = (murk_walker){.setup = r,
+                       .sums = s,
+                       .batch = batch,
+                       .photon = photon,
+                       .quanta = MURK_PACKET,
+                       .channel = channel,
+                       .light = channel / (size_t)world->bands,
+                       .band = (int)(channel % (size_t)world->bands),
+                       .event_class = MURK_CLASS_FIRST,
+                       .path = {.space = &r->space, .length_m = INFINITY},
+                       .score = score};
     ++s->emitted[channel];
     /* Draw the start of the photon. */
     murk_ray ray = murk_sources_emit(world->lights, r->trace->seed,
                                      r->trace->stream, photon);
     if (world->continues &&
-        murk_source_is_distant(murk_sources_get(world->lights, w.light))) {
-        come_from_outside(&w, &ray);
+        murk_source_is_distant(murk_sources_get(world->lights, w->light))) {
+        come_from_outside(w, &ray);
     }
     /* Report the emission. */
-    set_out(&w, ray, first_probe(&w, ray));
-    if (murk_walker_is_heard(&w)) {
-        murk_event event = murk_walker_event(&w, MURK_EVENT_EMITTED);
+    set_out(w, ray, first_probe(w, ray));
+    if (murk_walker_is_heard(w)) {
+        murk_event event = murk_walker_event(w, MURK_EVENT_EMITTED);
         event.direction_in = murk_vec(0, 0, 0);
-        event.direction_out = w.path.direction;
-        murk_walker_tell(&w, &event);
+        event.direction_out = w->path.direction;
+        murk_walker_tell(w, &event);
     }
-    if (s->scorer) {
-        murk_score_start(s->scorer, channel, first_station(&w));
+    if (w->score) {
+        murk_score_start(w->score, channel, first_station(w));
     }
-    /* Follow the photon to its end, and enter its fate into the sums. */
-    const murk_fate fate = ray.is_spent ? spend(&w) : follow(&w);
-    s->ended[channel][fate] += w.quanta;
+    return ray.is_spent ? spend(w) : MURK_FATE_NONE;
+}
+
+murk_fate murk_walk_photon_event(murk_walker *w)
+{
+    return next_event(w);
+}
+
+murk_fate murk_walk_photon_on(murk_walker *w)
+{
+    return follow(w);
+}
+
+void murk_walk_photon_end(murk_walker *w, murk_fate fate)
+{
+    w->sums->ended[w->channel][fate] += w->quanta;
     if (fate == MURK_FATE_SURFACES || fate == MURK_FATE_MEDIA) {
-        murk_walker_keep(&w, w.absorber, w.quanta);
+        murk_walker_keep(w, w->absorber, w->quanta);
     }
-    if (s->scorer) {
-        murk_score_end(s->scorer, r->trace->takes_back);
+    if (w->score) {
+        murk_score_end(w->score, w->setup->trace->takes_back);
     }
+}
+
+void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
+                      uint64_t photon)
+{
+    murk_walker w;
+    const murk_fate fate = murk_walk_photon_begin(
+        &w, r, s, s->scorer ? &s->scorer->path[0] : NULL, batch, photon);
+    murk_walk_photon_end(&w, fate == MURK_FATE_NONE ? follow(&w) : fate);
 }
 
 void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,

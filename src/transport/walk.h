@@ -8,9 +8,27 @@
 murk_walk_setup murk_walk_setup_of(const murk_trace *trace);
 
 /* Traces one photon of the trace: reports the events of the photon to the sink
- * of the trace and adds to the sums. */
+ * of the trace and adds to the sums. murk_walk_photon() is
+ * murk_walk_photon_begin(), murk_walk_photon_on() unless the photon has ended,
+ * and murk_walk_photon_end(). */
 void murk_walk_photon(const murk_walk_setup *setup, murk_sums *sums,
                       uint64_t batch, uint64_t photon);
+
+/* Draws and reports the start of a photon. `score` is NULL without tallies.
+ * Returns MURK_FATE_NONE, or the fate of a photon that ends at the start. */
+murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *setup,
+                                 murk_sums *sums, murk_score_path *score,
+                                 uint64_t batch, uint64_t photon);
+
+/* Follows the photon to the next event, or to the next boundary at which
+ * nothing happens. */
+murk_fate murk_walk_photon_event(murk_walker *w);
+
+/* Follows the photon to the end. */
+murk_fate murk_walk_photon_on(murk_walker *w);
+
+/* Adds the photon, which has ended, to the sums and the tallies. */
+void murk_walk_photon_end(murk_walker *w, murk_fate fate);
 
 /* Traces a photon of the given number and band along a ray that starts at a
  * point on no surface; the sums count it as one of the first channel. The start

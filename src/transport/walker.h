@@ -52,8 +52,7 @@ typedef struct murk_sums {
         *absorber; /* cells of the ledger, in the lane of this thread: changed
                       at each absorption, not at the end of the batch */
     size_t materials, absorbers;
-    murk_scorer *scorer;      /* NULL: no tallies */
-    bool are_segments_wanted; /* by the scorer or by the sink of segments */
+    murk_scorer *scorer; /* NULL: no tallies */
 } murk_sums;
 
 /* A photon under way. */
@@ -71,9 +70,10 @@ typedef struct murk_walker {
     murk_path path;  /* begins at the position of the photon */
     murk_vec3 probe; /* start of the search for surfaces */
     murk_path_solids solids;
-    double silent_m; /* length flown since the last event, up to the last
-                      * boundary that was no event */
-    bool is_beyond;  /* the surface met last transmitted the photon */
+    double silent_m;        /* length flown since the last event, up to the last
+                             * boundary that was no event */
+    bool is_beyond;         /* the surface met last transmitted the photon */
+    murk_score_path *score; /* NULL: no tallies */
 } murk_walker;
 
 static inline murk_address murk_walker_address(const murk_walker *w,
@@ -171,11 +171,8 @@ static inline void murk_walker_score(const murk_walker *w, murk_vec3 from,
                                      murk_vec3 end, double reach_m)
 {
     const murk_trace *trace = w->setup->trace;
-    if (!w->sums->are_segments_wanted) {
-        return;
-    }
-    if (w->sums->scorer) {
-        murk_score_segment(w->sums->scorer, from, w->path.direction, length_m,
+    if (w->score) {
+        murk_score_segment(w->score, from, w->path.direction, length_m,
                            (double)quanta, (murk_station){end, reach_m});
     }
     /* The sink of segments. */

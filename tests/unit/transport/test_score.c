@@ -15,7 +15,7 @@ static const murk_tally_desc lattice = {.name = "grid",
 
 typedef struct scored {
     murk_tallies *tallies;
-    murk_scorer *scorer;
+    murk_score_path *path;
     murk_tally emitted;
 } scored;
 
@@ -25,7 +25,7 @@ static scored begun(const murk_tally_desc *descs, size_t n)
     murk_error err = {0};
     CHECK(!murk_tallies_create(&s.tallies, descs, n, &domain, 1, 1, 1, INFINITY,
                                &err));
-    s.scorer = murk_tallies_scorer(s.tallies, 0);
+    s.path = &murk_tallies_scorer(s.tallies, 0)->path[0];
     return s;
 }
 
@@ -46,14 +46,14 @@ static murk_station open_at(double x, double y, double z)
 static void fly(const scored *s, const murk_vec3 *place, size_t n,
                 double quanta)
 {
-    murk_score_start(s->scorer, 0, (murk_station){place[0], 0});
+    murk_score_start(s->path, 0, (murk_station){place[0], 0});
     for (size_t i = 1; i < n; ++i) {
         const murk_vec3 offset = murk_sub(place[i], place[i - 1]);
-        murk_score_segment(s->scorer, place[i - 1], murk_unit(offset),
+        murk_score_segment(s->path, place[i - 1], murk_unit(offset),
                            murk_length(offset), quanta,
                            (murk_station){place[i], 0});
     }
-    murk_score_end(s->scorer, false);
+    murk_score_end(s->path, false);
 }
 
 /* ---- grids ---- */
@@ -164,16 +164,44 @@ static void test_segments_that_score_nothing(void)
     const double odd[] = {0, NAN, INFINITY, -INFINITY, 1e-308, 1e300};
     for (size_t i = 0; i < 6; ++i) {
         for (size_t j = 0; j < 6; ++j) {
-            murk_score_start(s.scorer, 0, open_at(odd[i], 0, 0));
-            murk_score_segment(s.scorer, murk_vec(odd[i], 9, 0),
+            murk_score_start(s.path, 0, open_at(odd[i], 0, 0));
+            murk_score_segment(s.path, murk_vec(odd[i], 9, 0),
                                murk_vec(0, odd[j], odd[i]), odd[j], 1,
                                open_at(odd[j], 9, 0));
-            murk_score_end(s.scorer, false);
+            murk_score_end(s.path, false);
         }
     }
     for (size_t c = 0; c < murk_tally_cells(&lattice); ++c) {
         CHECK(sum_of(&s, 0, c) == 0);
     }
+    murk_tallies_destroy(s.tallies);
+}
+
+/* A photon with more contributions than its list holds, back and forth between
+ * the middles of two cells: each cell has half of every segment. */
+static void test_more_contributions_than_the_list_holds(void)
+{
+    const scored s = begun(&lattice, 1);
+    const murk_vec3 from = {0.5, 0, 0.05}, to = {1.5, 0, 0.05};
+    const size_t trips = 2 * MURK_SCORE_ENTRIES;
+    murk_score_start(s.path, 0, (murk_station){from, 0});
+    for (size_t i = 0; i < trips; ++i) {
+        const bool is_back = i % 2;
+        murk_score_segment(s.path, is_back ? to : from,
+                           murk_vec(is_back ? -1 : 1, 0, 0), 1, MURK_PACKET,
+                           (murk_station){is_back ? from : to, 0});
+    }
+    CHECK(s.path->has_sums);
+    murk_score_end(s.path, false);
+    CHECK(!s.path->has_sums);
+    double other = 0, scored_cells = 0, first = 0;
+    for (size_t c = 0; c < murk_tally_cells(&lattice); ++c) {
+        const double value = sum_of(&s, 0, c);
+        first = first == 0 ? value : first;
+        scored_cells += value == first && value > 0;
+        other += value != first ? value : 0;
+    }
+    CHECK(scored_cells == 2 && other == 0);
     murk_tallies_destroy(s.tallies);
 }
 
@@ -331,16 +359,16 @@ static void test_a_plane_in_a_surface(void)
             const murk_vec3 down = {0, 0, -1};
             /* Down to the surface, back, down again, and through the
              * surface, with less weight after each meeting. */
-            murk_score_start(s.scorer, 0, open_at(0, 0, 1));
-            murk_score_segment(s.scorer, murk_vec(0, 0, 1), down, 1, 100,
+            murk_score_start(s.path, 0, open_at(0, 0, 1));
+            murk_score_segment(s.path, murk_vec(0, 0, 1), down, 1, 100,
                                (murk_station){{0, 0, off[i]}, 2e-7});
-            murk_score_segment(s.scorer, murk_vec(0, 0, 4e-7),
-                               murk_vec(0, 0, 1), 1, 40, open_at(0, 0, 1));
-            murk_score_segment(s.scorer, murk_vec(0, 0, 1), down, 1, 40,
+            murk_score_segment(s.path, murk_vec(0, 0, 4e-7), murk_vec(0, 0, 1),
+                               1, 40, open_at(0, 0, 1));
+            murk_score_segment(s.path, murk_vec(0, 0, 1), down, 1, 40,
                                (murk_station){{0, 0, off[i]}, 2e-7});
-            murk_score_segment(s.scorer, murk_vec(0, 0, -4e-7), down, 1, 10,
+            murk_score_segment(s.path, murk_vec(0, 0, -4e-7), down, 1, 10,
                                open_at(0, 0, -1));
-            murk_score_end(s.scorer, false);
+            murk_score_end(s.path, false);
             /* With the normal up only the transmitted light has passed;
              * with the normal down all light to the surface has, and the
              * light that comes back. */
@@ -360,11 +388,11 @@ static void test_a_jump_passes_nothing(void)
 {
     const murk_tally_desc d = plane_at(murk_vec(0, 0, 0), murk_vec(1, 0, 0));
     const scored s = begun(&d, 1);
-    murk_score_start(s.scorer, 0, open_at(-1, 0, 0));
-    murk_score_jump(s.scorer, open_at(1, 0, 0));
-    murk_score_segment(s.scorer, murk_vec(1, 0, 0), murk_vec(-1, 0, 0), 2, 7,
+    murk_score_start(s.path, 0, open_at(-1, 0, 0));
+    murk_score_jump(s.path, open_at(1, 0, 0));
+    murk_score_segment(s.path, murk_vec(1, 0, 0), murk_vec(-1, 0, 0), 2, 7,
                        open_at(-1, 0, 0));
-    murk_score_end(s.scorer, false);
+    murk_score_end(s.path, false);
     double forward, backward;
     directions_of(&s, &forward, &backward);
     CHECK(forward == 0 && backward == 7);
@@ -385,11 +413,11 @@ static void test_taken_back_leaves_nothing(void)
     }
     for (int sign = 0; sign < 2; ++sign) {
         const murk_vec3 offset = murk_sub(gone[1], gone[0]);
-        murk_score_start(s.scorer, 0, (murk_station){gone[0], 0});
-        murk_score_segment(s.scorer, gone[0], murk_unit(offset),
+        murk_score_start(s.path, 0, (murk_station){gone[0], 0});
+        murk_score_segment(s.path, gone[0], murk_unit(offset),
                            murk_length(offset), 1e15,
                            (murk_station){gone[1], 0});
-        murk_score_end(s.scorer, sign);
+        murk_score_end(s.path, sign);
     }
     for (size_t c = 0; c < 120; ++c) {
         CHECK(sum_of(&s, 0, c) == before[c]);
@@ -486,6 +514,7 @@ int main(void)
     test_segments_through_a_grid(1);
     test_segments_on_faces();
     test_segments_that_score_nothing();
+    test_more_contributions_than_the_list_holds();
     test_segments_through_spheres(1);
     test_bins_of_a_plane();
     test_axes_of_a_plane();
