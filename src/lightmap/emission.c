@@ -100,9 +100,13 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
         trace.context = e->context;
     } else if (e->buffers->keeps_surface || e->buffers->keeps_volume) {
         trace.sink = murk_record_buffers_event;
+        trace.takes_any_order = true;
         trace.context = e->buffers;
     }
     murk_trace_run(&trace, e->ledger);
+    if (trace.takes_any_order) {
+        murk_record_buffers_sort(e->buffers, trace.threads);
+    }
     /* Find the photon that reaches `store`, and remove those after it. */
     uint64_t last = UINT64_MAX;
     if (wanted(e) && !murk_interrupted()) {

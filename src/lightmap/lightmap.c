@@ -89,6 +89,7 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
     trace.last = n;
     trace.threads = threads;
     trace.sink = murk_record_buffers_event;
+    trace.takes_any_order = true;
     trace.context = h;
     murk_progress_begin("pilot", n, "photons");
     murk_trace_run(&trace, ledger);

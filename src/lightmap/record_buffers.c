@@ -6,6 +6,8 @@
 
 #include <stdlib.h>
 
+#include "base/pool.h"
+
 #define FIRST_CAPACITY 256 /* first capacity of a list: 8 kB */
 
 static murk_photon record_of(const murk_event *event, double share)
@@ -93,6 +95,52 @@ void murk_record_buffers_event(void *context, uint64_t batch,
         murk_record_list *buffer = &h->buffer[batch];
         buffer->is_short_of_memory |= !murk_record_list_put(buffer, &photon);
     }
+}
+
+/* Sorts the records of a batch by photon; the records of one photon stay in
+ * order. A counting sort: a batch has few photons, with successive numbers. */
+static void sort_batch(void *context, uint64_t batch)
+{
+    murk_record_buffers *h = context;
+    murk_record_list *buffer = &h->buffer[batch];
+    const size_t n = buffer->n;
+    /* The first photon, and whether the records are in order as they are. */
+    uint32_t first = UINT32_MAX, last = 0;
+    bool is_sorted = true;
+    for (size_t i = 0; i < n; ++i) {
+        const uint32_t emitted = murk_photon_emitted(&buffer->photon[i]);
+        first = emitted < first ? emitted : first;
+        is_sorted = is_sorted && emitted >= last;
+        last = emitted;
+    }
+    if (is_sorted) {
+        return;
+    }
+    murk_photon *sorted = malloc(n * sizeof *sorted);
+    if (!sorted) {
+        buffer->is_short_of_memory = true;
+        return;
+    }
+    /* The place of the first record of each photon, then all records. */
+    uint32_t place[MURK_BATCH_PHOTONS + 1] = {0};
+    for (size_t i = 0; i < n; ++i) {
+        ++place[murk_photon_emitted(&buffer->photon[i]) - first + 1];
+    }
+    for (size_t k = 0; k < MURK_BATCH_PHOTONS; ++k) {
+        place[k + 1] += place[k];
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon *photon = &buffer->photon[i];
+        sorted[place[murk_photon_emitted(photon) - first]++] = *photon;
+    }
+    free(buffer->photon);
+    buffer->photon = sorted;
+    buffer->capacity = n;
+}
+
+void murk_record_buffers_sort(murk_record_buffers *h, unsigned threads)
+{
+    murk_pool_run(threads, MURK_WAVE_BATCHES, sort_batch, h);
 }
 
 uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,

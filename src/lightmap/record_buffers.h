@@ -73,6 +73,11 @@ double murk_record_buffers_share(const murk_record_buffers *buffers,
 void murk_record_buffers_event(void *context, uint64_t batch,
                                const murk_event *event);
 
+/* Sorts the records of each batch of this wave by photon, after a trace whose
+ * events came in any order of photons (takes_any_order of transport/trace.h).
+ * murk_record_buffers_gather() reports a lack of memory. */
+void murk_record_buffers_sort(murk_record_buffers *buffers, unsigned threads);
+
 /* The number of the photon that gave the `wanted`-th record (counted from 1) of
  * this wave; UINT64_MAX if the wave has fewer records. */
 uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,

@@ -10,10 +10,11 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
-#include "transport/walk.h"
+#include "transport/lanes.h"
 
 typedef struct run {
     murk_walk_setup setup;
+    const murk_lane_steps *lanes; /* NULL: photons are traced one by one */
     murk_ledger *ledger;
 } run;
 
@@ -53,6 +54,7 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
     const uint64_t first = trace->first + batch * MURK_BATCH_PHOTONS;
     const uint64_t left = trace->last - first;
     const uint64_t n = left < MURK_BATCH_PHOTONS ? left : MURK_BATCH_PHOTONS;
+    /* Empty sums. */
     murk_sums s;
     memset(s.emitted, 0, ledger->channels * sizeof s.emitted[0]);
     memset(s.ended, 0, ledger->channels * sizeof s.ended[0]);
@@ -64,7 +66,11 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
                  worker % ledger->lanes * ledger->channels * s.absorbers;
     s.scorer =
         trace->tallies ? murk_tallies_scorer(trace->tallies, worker) : NULL;
-    for (uint64_t i = 0; i < n && !murk_interrupted(); ++i) {
+    /* Trace the photons side by side, or one by one. */
+    if (r->lanes) {
+        murk_lanes_trace(r->lanes, &r->setup, &s, batch, first, first + n);
+    }
+    for (uint64_t i = 0; !r->lanes && i < n && !murk_interrupted(); ++i) {
         murk_walk_photon(&r->setup, &s, batch, first + i);
     }
     add_up(r->ledger, &s, trace->takes_back ? -1 : 1);
@@ -91,7 +97,8 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
         murk_sources_lit(trace->world->lights) == 0) {
         return;
     }
-    run r = {murk_walk_setup_of(trace), ledger};
+    run r = {.setup = murk_walk_setup_of(trace), .ledger = ledger};
+    r.lanes = murk_lanes_for(&r.setup);
     const uint64_t photons = trace->last - trace->first;
     murk_pool_run_workers(
         trace->threads, (photons + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS,

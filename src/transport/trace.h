@@ -159,7 +159,10 @@ typedef struct murk_trace {
     double least_weight; /* MURK_MIN_WEIGHT_MIN..1 */
     bool by_delta; /* free flight by delta tracking, for which the media must be
                     * prepared; otherwise by marching */
-    murk_event_sink sink;           /* may be NULL */
+    murk_event_sink sink; /* may be NULL */
+    bool takes_any_order; /* the sink takes the events of the photons of a batch
+                           * in any order; the events of one photon stay in
+                           * order. Such photons are traced side by side */
     murk_segment_sink segment_sink; /* may be NULL */
     void *context;                  /* context of both callbacks */
     murk_tallies *tallies; /* may be NULL; created for at least `threads`

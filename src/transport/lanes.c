@@ -1,0 +1,317 @@
+/* The bookkeeping of photons side by side (transport/lanes.h).
+ *
+ * Each lane has a walker and, in the arrays of murk_lanes, the part of the
+ * walker that a collision changes. A step draws a collision for all lanes. The
+ * lanes whose photon meets something else than a medium, and those whose photon
+ * is absorbed, are then treated one by one: the walker finds the event anew
+ * from the same random numbers, and a photon that has ended is replaced by the
+ * next one of the batch. When no photon is left to begin, the lane that was
+ * filled last moves into the gap. */
+#include "transport/lanes.h"
+
+#include <string.h>
+
+#include "base/interrupt.h"
+#include "base/philox.h"
+
+/* With fewer photons than this a step costs more than the walker. */
+#define FEW 3
+
+typedef struct lane_batch {
+    const murk_lane_steps *steps;
+    const murk_walk_setup *setup;
+    murk_sums *sums;
+    uint64_t batch, next, last; /* photons [next, last) are still to begin */
+    murk_lane_facts facts;
+    bool is_even;    /* a single medium, which is even, fills the domain */
+    bool is_watched; /* segments or events are scored or reported */
+    bool has_other_phases; /* some lane has another phase function than that of
+                            * Henyey and Greenstein */
+    size_t n;              /* lanes in use: the first n */
+    murk_lanes lanes;
+    murk_lane_rays before; /* the rays before the step, if is_watched */
+    murk_walker walker[MURK_LANES];
+    const murk_phase *phase[MURK_LANES]; /* of the medium of the collision */
+    double scattering_per_m[MURK_LANES];
+} lane_batch;
+
+/* ---- between walker and lane ---- */
+
+/* Adds the quanta that the medium of the photon has kept to the ledger. */
+static void settle(lane_batch *b, size_t i)
+{
+    const murk_walker *w = &b->walker[i];
+    const int64_t kept = (int64_t)b->lanes.kept[i];
+    if (kept > 0) {
+        b->sums->ended[w->channel][MURK_FATE_MEDIA] += kept;
+        murk_walker_keep(w, w->absorber, kept);
+        b->lanes.kept[i] = 0;
+    }
+}
+
+/* Brings the walker to the state of the lane. */
+static void take_out(lane_batch *b, size_t i)
+{
+    const murk_lanes *l = &b->lanes;
+    murk_walker *w = &b->walker[i];
+    w->path.position = w->probe =
+        murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
+    w->path.direction = murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i]);
+    w->quanta = (int64_t)l->ray.quanta[i];
+    w->number = l->number[i];
+    if (l->is_new[i] == 0) {
+        w->event_class = MURK_CLASS_LATER;
+        w->wraps = 0;
+    }
+    settle(b, i);
+}
+
+/* Notes the medium of the collision, or of all collisions, of a lane. */
+static void set_medium(lane_batch *b, size_t i, const murk_collision *c)
+{
+    const bool is_hg = c->phase->kind == MURK_PHASE_HG;
+    b->lanes.albedo[i] = c->albedo;
+    b->lanes.g[i] = is_hg ? c->phase->value[0] : 0;
+    b->phase[i] = c->phase;
+    b->scattering_per_m[i] = c->scattering_per_m;
+    b->has_other_phases |= !is_hg;
+    b->walker[i].absorber = b->sums->materials + c->medium;
+}
+
+/* Brings the lane to the state of the walker. */
+static void put_in(lane_batch *b, size_t i)
+{
+    murk_walker *w = &b->walker[i];
+    murk_lanes *l = &b->lanes;
+    l->ray.x[i] = w->path.position.x;
+    l->ray.y[i] = w->path.position.y;
+    l->ray.z[i] = w->path.position.z;
+    l->ray.dx[i] = w->path.direction.x;
+    l->ray.dy[i] = w->path.direction.y;
+    l->ray.dz[i] = w->path.direction.z;
+    l->ray.quanta[i] = (double)w->quanta;
+    l->kept[i] = 0;
+    l->photon_low[i] = (uint32_t)w->photon;
+    l->photon_high[i] = (uint32_t)(w->photon >> 32);
+    l->number[i] = w->number;
+    l->is_new[i] = 1;
+    l->limit_m[i] = INFINITY;
+    murk_collision all;
+    if (murk_media_even(b->setup->world->media, w->band,
+                        &l->extinction_per_m[i], &all)) {
+        set_medium(b, i, &all);
+    }
+}
+
+/* ---- photons ---- */
+
+/* Begins photons until one of them does not end at the start. False if there is
+ * no further photon. */
+static bool begin(lane_batch *b, size_t i, murk_score_path *score)
+{
+    murk_walker *w = &b->walker[i];
+    while (b->next < b->last && !murk_interrupted()) {
+        const murk_fate fate = murk_walk_photon_begin(
+            w, b->setup, b->sums, score, b->batch, b->next++);
+        if (fate == MURK_FATE_NONE) {
+            put_in(b, i);
+            return true;
+        }
+        murk_walk_photon_end(w, fate);
+    }
+    return false;
+}
+
+/* Ends the photon of a lane, whose walker is up to date, and fills the lane
+ * with the next photon or with that of the last lane. */
+static void replace(lane_batch *b, size_t i, murk_fate fate)
+{
+    murk_walk_photon_end(&b->walker[i], fate);
+    if (!begin(b, i, b->walker[i].score) && i != --b->n) {
+        take_out(b, b->n);
+        b->walker[i] = b->walker[b->n];
+        put_in(b, i);
+    }
+}
+
+/* ---- a step ---- */
+
+/* The free flights in media that are not a single even one. */
+static void fly_each(lane_batch *b)
+{
+    murk_lanes *l = &b->lanes;
+    const murk_lane_rays *ray = &l->ray;
+    for (size_t i = 0; i < b->n; ++i) {
+        const murk_walker *w = &b->walker[i];
+        murk_collision c;
+        const bool meets = murk_media_fly(
+            b->setup->world->media, w->band, w->path.inside,
+            murk_vec(ray->x[i], ray->y[i], ray->z[i]),
+            murk_vec(ray->dx[i], ray->dy[i], ray->dz[i]), l->limit_m[i],
+            l->tau[i], murk_uniform(l->word_medium[i]), &c);
+        l->meets[i] = meets;
+        if (meets) {
+            if (b->sums->materials + c.medium != w->absorber) {
+                settle(b, i);
+            }
+            l->distance_m[i] = c.distance_m;
+            set_medium(b, i, &c);
+        }
+    }
+}
+
+/* The cosines of phase functions of other kinds. */
+static void sample_other_phases(lane_batch *b)
+{
+    for (size_t i = 0; i < b->n; ++i) {
+        if (b->lanes.scatters[i] != 0 && b->phase[i]->kind != MURK_PHASE_HG) {
+            b->lanes.cosine[i] = murk_phase_sample(
+                b->phase[i], murk_uniform(b->lanes.word_cosine[i]));
+        }
+    }
+}
+
+/* Scores and reports the collision of a lane, as scatter() of walk.c does. */
+static void watch(lane_batch *b, size_t i)
+{
+    const murk_lanes *l = &b->lanes;
+    const murk_lane_rays *from = &b->before;
+    murk_walker *w = &b->walker[i];
+    const murk_vec3 start = {from->x[i], from->y[i], from->z[i]};
+    const murk_vec3 arriving = {from->dx[i], from->dy[i], from->dz[i]};
+    const double before = from->quanta[i];
+    w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
+    if (w->score) {
+        murk_score_segment(w->score, start, arriving, l->distance_m[i], before,
+                           (murk_station){w->path.position, 0});
+    }
+    if (murk_walker_is_heard(w)) {
+        const bool scatters = l->scatters[i] != 0;
+        w->number = l->number[i];
+        murk_event event = murk_walker_event(w, MURK_EVENT_MEDIUM);
+        event.outcome = scatters ? MURK_SCATTERED : MURK_ABSORBED;
+        event.material_or_medium = (uint8_t)(w->absorber - b->sums->materials);
+        event.direction_in = arriving;
+        event.direction_out =
+            scatters ? murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i])
+                     : murk_vec(0, 0, 0);
+        event.weight = before / (double)MURK_PACKET;
+        event.leaving = scatters ? l->ray.quanta[i] / (double)MURK_PACKET : 0;
+        event.reflectance = l->albedo[i];
+        event.path_m = l->distance_m[i];
+        event.scattering_per_m = b->scattering_per_m[i];
+        murk_walker_tell(w, &event);
+        w->event_class = MURK_CLASS_LATER;
+    }
+}
+
+/* Treats what a step has left to the walker of a lane. */
+static void finish(lane_batch *b, size_t i)
+{
+    murk_walker *w = &b->walker[i];
+    const bool meets = b->lanes.meets[i] != 0;
+    const bool scatters = b->lanes.scatters[i] != 0;
+    b->sums->collisions += meets;
+    if (meets && b->is_watched) {
+        watch(b, i);
+    }
+    const bool is_alone = w->score && w->score->has_sums;
+    if (scatters && !is_alone) {
+        return;
+    }
+    take_out(b, i);
+    murk_fate fate = scatters ? MURK_FATE_NONE : MURK_FATE_MEDIA;
+    if (!meets) {
+        /* The event is not a collision: the walker looks for it anew. */
+        --w->number;
+        fate = murk_walk_photon_event(w);
+    }
+    /* A photon that owns the sums of the scorer must end before any other. */
+    if (fate == MURK_FATE_NONE && w->score && w->score->has_sums) {
+        fate = murk_walk_photon_on(w);
+    }
+    if (fate == MURK_FATE_NONE) {
+        put_in(b, i);
+    } else {
+        replace(b, i, fate);
+    }
+}
+
+/* One event of each photon. */
+static void step(lane_batch *b)
+{
+    murk_lanes *l = &b->lanes;
+    const size_t n = b->n + (MURK_LANE_GROUP - 1);
+    if (b->is_watched) {
+        b->before = l->ray;
+    }
+    b->steps->draw(l, &b->facts, n);
+    if (b->is_even) {
+        b->steps->fly(l, n);
+    } else {
+        fly_each(b);
+    }
+    b->steps->collide(l, &b->facts, n);
+    if (b->has_other_phases) {
+        sample_other_phases(b);
+    }
+    b->steps->turn(l, n);
+    /* From the last lane to the first, because a gap is filled with the last
+     * lane. */
+    for (size_t i = b->n; i-- > 0;) {
+        finish(b, i);
+    }
+}
+
+const murk_lane_steps *murk_lanes_for(const murk_walk_setup *setup)
+{
+    const murk_trace *trace = setup->trace;
+    const murk_path_space *space = &setup->space;
+    const bool suits = setup->any_media && !space->any_surfaces &&
+                       !space->any_boundaries && !trace->by_delta &&
+                       !trace->segment_sink &&
+                       (!trace->sink || trace->takes_any_order);
+    return suits ? murk_lane_steps_chosen() : NULL;
+}
+
+void murk_lanes_trace(const murk_lane_steps *steps,
+                      const murk_walk_setup *setup, murk_sums *sums,
+                      uint64_t batch, uint64_t first, uint64_t last)
+{
+    const murk_trace *trace = setup->trace;
+    lane_batch b;
+    memset(&b.lanes, 0, sizeof b.lanes);
+    b.steps = steps;
+    b.setup = setup;
+    b.sums = sums;
+    b.batch = batch;
+    b.next = first;
+    b.last = last;
+    b.facts = (murk_lane_facts){.seed = trace->seed,
+                                .purpose = (uint32_t)MURK_FLIGHT +
+                                           setup->purpose_shift,
+                                .events_max = trace->events_max,
+                                .min_quanta = (double)setup->min_quanta,
+                                .sides = setup->space.sides,
+                                .is_open = true};
+    double extinction_per_m;
+    murk_collision all;
+    b.is_even =
+        murk_media_even(setup->world->media, 0, &extinction_per_m, &all);
+    b.is_watched = sums->scorer || trace->sink;
+    b.has_other_phases = false;
+    /* Begin a photon in each lane. */
+    b.n = 0;
+    while (b.n < MURK_LANES &&
+           begin(&b, b.n, sums->scorer ? &sums->scorer->path[b.n] : NULL)) {
+        ++b.n;
+    }
+    while (b.n >= FEW) {
+        step(&b);
+    }
+    /* The walker alone follows the last photons. */
+    for (size_t i = 0; i < b.n; ++i) {
+        take_out(&b, i);
+        murk_walk_photon_end(&b.walker[i], murk_walk_photon_on(&b.walker[i]));
+    }
+}

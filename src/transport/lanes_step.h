@@ -1,0 +1,86 @@
+/* The arithmetic of a collision for several photons side by side, compiled for
+ * several vector instruction sets. Each photon has a lane: the same index of
+ * all arrays. For use inside src/transport only. */
+#ifndef MURK_TRANSPORT_LANES_STEP_H
+#define MURK_TRANSPORT_LANES_STEP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "path/sides.h"
+
+/* Lanes, and the granularity of their number: a step takes a multiple of
+ * MURK_LANE_GROUP lanes, so that loops fill the registers. Neither enters a
+ * result, because a photon knows nothing of the other lanes. */
+#define MURK_LANES      32
+#define MURK_LANE_GROUP 8
+
+typedef double murk_lane_number[MURK_LANES];
+
+/* The rays of the photons and their packets. */
+typedef struct murk_lane_rays {
+    murk_lane_number x, y, z, dx, dy, dz; /* position [m], direction */
+    murk_lane_number quanta;
+} murk_lane_rays;
+
+/* Truth values are numbers, 1 or 0, which keeps loops to one size of element.
+ */
+typedef struct murk_lanes {
+    /* The photon. */
+    murk_lane_rays ray;
+    murk_lane_number kept; /* quanta that the medium met last has kept and that
+                            * are not yet in the ledger */
+    uint32_t photon_low[MURK_LANES], photon_high[MURK_LANES];
+    uint32_t number[MURK_LANES]; /* of the event */
+    murk_lane_number
+        is_new; /* no collision since the walker of the lane moved */
+
+    /* The random words of this event. The first gives the optical depth tau to
+     * the collision. */
+    uint32_t word_depth[MURK_LANES], word_medium[MURK_LANES];
+    uint32_t word_roulette[MURK_LANES], word_cosine[MURK_LANES];
+    murk_lane_number tau;
+
+    /* The free flight: the length that it may have, and, if it ends in a medium
+     * (meets), the length and the properties of the medium. */
+    murk_lane_number limit_m;
+    murk_lane_number meets, distance_m;
+    murk_lane_number extinction_per_m; /* of a single even medium */
+    murk_lane_number albedo, g;
+
+    /* The outcome of a collision. */
+    murk_lane_number scatters, cosine, azimuth;
+} murk_lanes;
+
+/* The facts that all lanes share. */
+typedef struct murk_lane_facts {
+    uint32_t seed, purpose; /* of the random numbers of a flight */
+    double events_max, min_quanta;
+    murk_path_sides sides;
+    bool is_open; /* a flight may end outside of the domain and then does not
+                   * count, because limit_m is not known */
+} murk_lane_facts;
+
+/* The steps of a collision for the first n lanes, n a multiple of
+ * MURK_LANE_GROUP. */
+typedef struct murk_lane_steps {
+    /* Draws the random numbers of the next event. */
+    void (*draw)(murk_lanes *lanes, const murk_lane_facts *facts, size_t n);
+    /* The free flight in a single even medium. */
+    void (*fly)(murk_lanes *lanes, size_t n);
+    /* Moves to the collision, splits the packet or decides by roulette, and
+     * draws the cosine by Henyey and Greenstein. A photon with too many events
+     * does not meet: it is the walker's. */
+    void (*collide)(murk_lanes *lanes, const murk_lane_facts *facts, size_t n);
+    /* Turns the direction. */
+    void (*turn)(murk_lanes *lanes, size_t n);
+} murk_lane_steps;
+
+/* The steps for the fastest vector instruction set of this processor. The
+ * environment variable MURK_LANES selects another: `baseline`, `avx2` or
+ * `avx512`; with `off` the result is NULL, and photons are traced one by one.
+ * All give the same bits. An instruction set that the processor lacks or an
+ * unknown name counts as not given. */
+const murk_lane_steps *murk_lane_steps_chosen(void);
+
+#endif

@@ -1,0 +1,246 @@
+/* Photons traced side by side (transport/lanes.h) give the ledger, the tallies
+ * and the events of photons traced one by one, to the bit, for every
+ * instruction set of this processor, for several media, packets that are split
+ * and roulette, with and without tallies, and for batches that are not full.
+ * Nothing here is statistical. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "worlds.h"
+
+#define PHOTONS (MURK_BATCH_PHOTONS + 60)
+
+static const char *const sets[] = {"baseline", "avx2", "avx512"};
+
+/* A checksum of all events of each photon, in the order of the photon. */
+typedef struct heard {
+    uint64_t sum[PHOTONS];
+} heard;
+
+static uint64_t mixed(uint64_t sum, const void *bytes, size_t n)
+{
+    const unsigned char *b = bytes;
+    for (size_t i = 0; i < n; ++i) {
+        sum = (sum ^ b[i]) * UINT64_C(0x100000001b3); /* FNV-1a */
+    }
+    return sum;
+}
+
+static void hear(void *context, uint64_t batch, const murk_event *event)
+{
+    heard *h = context;
+    uint64_t *sum = &h->sum[event->photon];
+    CHECK(batch == event->photon / MURK_BATCH_PHOTONS);
+    const double numbers[] = {
+        event->position.x,      event->position.y,      event->position.z,
+        event->direction_in.x,  event->direction_in.y,  event->direction_in.z,
+        event->direction_out.x, event->direction_out.y, event->direction_out.z,
+        event->reflectance,     event->weight,          event->leaving,
+        event->path_m,          event->scattering_per_m};
+    const uint32_t whole[] = {(uint32_t)event->kind,
+                              (uint32_t)event->outcome,
+                              (uint32_t)event->event_class,
+                              event->number,
+                              event->light,
+                              event->band,
+                              event->material_or_medium,
+                              (uint32_t)event->loss};
+    *sum = mixed(*sum, numbers, sizeof numbers);
+    *sum = mixed(*sum, whole, sizeof whole);
+}
+
+/* The sums of one run. */
+typedef struct outcome {
+    int64_t account[16];
+    double tally[3 * 256];
+    heard heard;
+} outcome;
+
+static const murk_tally_desc descs[] = {{.name = "grid",
+                                         .type = MURK_TALLY_GRID,
+                                         .box = {{0, 0, 0}, {4, 4, 4}},
+                                         .size = {5, 6, 7}},
+                                        {.name = "plane",
+                                         .type = MURK_TALLY_PLANE,
+                                         .point = {0, 0, 2},
+                                         .normal = {0, 0, 1},
+                                         .bins = {3, 3},
+                                         .angle_bins = 2},
+                                        {.name = "ball",
+                                         .type = MURK_TALLY_SPHERE,
+                                         .center = {2, 2, 1},
+                                         .radius_m = 1}};
+
+#define DESCS (sizeof descs / sizeof *descs)
+
+/* One way to trace. */
+typedef struct way {
+    const char *lanes; /* value of MURK_LANES */
+    unsigned threads;
+    double least_weight;
+    uint32_t events_max;
+    bool has_tallies, has_sink;
+} way;
+
+static outcome *traced(const test_setup *setup, way given)
+{
+    outcome *o = calloc(1, sizeof *o);
+    test_world w = test_world_made(setup);
+    murk_trace trace = murk_trace_defaults();
+    murk_error err = {0};
+    trace.world = &w.world;
+    trace.seed = 3;
+    trace.last = PHOTONS;
+    trace.threads = given.threads;
+    trace.least_weight = given.least_weight;
+    trace.events_max = given.events_max;
+    trace.takes_any_order = true;
+    if (given.has_sink) {
+        trace.sink = hear;
+        trace.context = &o->heard;
+    }
+    if (given.has_tallies) {
+        CHECK(!murk_tallies_create(&trace.tallies, descs, DESCS, &setup->domain,
+                                   w.ledger->channels, 1, given.threads,
+                                   INFINITY, &err));
+    }
+    setenv("MURK_LANES", given.lanes, 1);
+    murk_trace_run(&trace, w.ledger);
+    unsetenv("MURK_LANES");
+    /* Collect the sums. */
+    size_t n = 0;
+    o->account[n++] = murk_tally_read(&w.ledger->photons);
+    o->account[n++] = murk_tally_read(&w.ledger->collisions);
+    o->account[n++] = murk_tally_read(&w.ledger->emitted[0]);
+    o->account[n++] = murk_tally_read(&w.ledger->absorbed_media[0]);
+    o->account[n++] = murk_tally_read(&w.ledger->absorbed_surfaces[0]);
+    o->account[n++] = murk_tally_read(&w.ledger->escaped[0]);
+    o->account[n++] = murk_tally_read(&w.ledger->lost[0]);
+    o->account[n++] = murk_tally_read(&w.ledger->lost_photons[0]);
+    o->account[n++] = murk_ledger_imbalance(w.ledger);
+    for (size_t m = 0; m < setup->n_media; ++m) {
+        o->account[n++] = murk_ledger_by_medium(w.ledger, 0, m);
+    }
+    if (given.has_tallies) {
+        const double packet_w = 1;
+        n = 0;
+        for (size_t t = 0; t < DESCS; ++t) {
+            for (size_t c = 0; c < murk_tally_cells(&descs[t]); ++c) {
+                const murk_estimate e = murk_tallies_read(
+                    trace.tallies, t, 0, c, w.ledger->emitted, &packet_w);
+                o->tally[n++] = e.value;
+                o->tally[n++] = e.standard_error;
+            }
+        }
+        CHECK(n > 400 && n <= sizeof o->tally / sizeof *o->tally);
+        murk_tallies_destroy(trace.tallies);
+    }
+    test_world_unmade(&w);
+    CHECK(o->account[0] == PHOTONS && o->account[8] == 0);
+    return o;
+}
+
+/* Every instruction set and one or two threads against one by one. */
+static void compare(const char *name, const test_setup *setup, way given)
+{
+    given.lanes = "off";
+    given.threads = 1;
+    outcome *one_by_one = traced(setup, given);
+    CHECK(one_by_one->account[1] > 0);
+    for (size_t s = 0; s < sizeof sets / sizeof *sets; ++s) {
+        given.lanes = sets[s];
+        for (given.threads = 1; given.threads <= 2; ++given.threads) {
+            outcome *side_by_side = traced(setup, given);
+            if (memcmp(one_by_one, side_by_side, sizeof *one_by_one) != 0) {
+                fprintf(stderr, "%s, %s, %u threads\n", name, sets[s],
+                        given.threads);
+                CHECK(false);
+            }
+            free(side_by_side);
+        }
+    }
+    free(one_by_one);
+}
+
+static void compare_ways(const char *name, const test_setup *setup)
+{
+    const double weight[] = {1, 0.3, 0.001};
+    for (size_t i = 0; i < 3; ++i) {
+        for (int watched = 0; watched < 4; watched += 3) {
+            const way given = {.least_weight = weight[i],
+                               .events_max = 100000,
+                               .has_tallies = watched & 1,
+                               .has_sink = watched & 2};
+            compare(name, setup, given);
+        }
+    }
+    /* Photons that are lost after few events. */
+    const way given = {
+        .least_weight = 0.001, .events_max = 4, .has_sink = true};
+    compare(name, setup, given);
+}
+
+static const murk_domain domain = {{{0, 0, 0}, {4, 4, 4}}, false};
+
+static void test_media(void)
+{
+    const murk_source lamp[] = {
+        test_point(murk_vec(1, 2, 0.5)),
+        test_beam(murk_vec(2, 2, 0), murk_vec(0, 0, 1))};
+    murk_medium fog = test_medium(3, 0.9, 0.8);
+    murk_medium haze = test_medium(1, 0.5, 0);
+    murk_medium air = test_medium(2, 0.95, 0);
+    air.phase[0] = murk_phase_rayleigh();
+    murk_medium clear = test_medium(0, 0.5, 0);
+    const murk_medium media[] = {fog, haze, air, clear};
+    const murk_region everywhere = test_everywhere(0);
+    const murk_region around =
+        test_box_region(0, murk_vec(0, 0, 0), murk_vec(4, 4, 4));
+    const murk_region part =
+        test_box_region(0, murk_vec(0, 0, 1), murk_vec(4, 3, 3));
+    const murk_region of_air = test_everywhere(2);
+    const murk_region several[] = {test_everywhere(1), part,
+                                   test_ball_region(2, murk_vec(2, 2, 2), 1)};
+    const struct {
+        const char *name;
+        const murk_region *region;
+        size_t n;
+    } worlds[] = {{"everywhere", &everywhere, 1},
+                  {"a box around the domain", &around, 1},
+                  {"a box in the domain", &part, 1},
+                  {"Rayleigh", &of_air, 1},
+                  {"several", several, 3}};
+    for (size_t i = 0; i < sizeof worlds / sizeof *worlds; ++i) {
+        const test_setup setup = {.domain = domain,
+                                  .lights = lamp,
+                                  .n_lights = 1 + i % 2,
+                                  .media = media,
+                                  .n_media = 4,
+                                  .regions = worlds[i].region,
+                                  .n_regions = worlds[i].n};
+        compare_ways(worlds[i].name, &setup);
+    }
+}
+
+static void test_periodic_domain(void)
+{
+    const murk_source lamp = test_point(murk_vec(1, 2, 0.5));
+    const murk_medium fog = test_medium(.5, 0.9, 0.8);
+    const murk_region everywhere = test_everywhere(0);
+    const test_setup setup = {.domain = {domain.box, true},
+                              .lights = &lamp,
+                              .n_lights = 1,
+                              .media = &fog,
+                              .n_media = 1,
+                              .regions = &everywhere,
+                              .n_regions = 1};
+    compare_ways("periodic", &setup);
+}
+
+int main(void)
+{
+    test_media();
+    test_periodic_domain();
+    return check_done();
+}
