@@ -13,12 +13,12 @@
  * branch and bound. Every method computes a bound.
  *
  * A plan that reaches the ceiling (the value of all candidates together) is
- * optimal and ends the work on that count. search_work
- * limits the work of the searches. The SPOQ starts have a limit of their own,
- * of the same size. Once half of the limit is spent, points of a curve without
- * constraints take greedy's plan and the bound from greedy's scans (not with
- * MURK_PLACE_SPOQ). Once the limit is spent, sweeps and relocation stop, and
- * is_work_cut says so.
+ * optimal and ends the work on that count. A limit, search_work, holds for the
+ * work of the searches, in evaluations. The SPOQ starts have a limit of their
+ * own, of the same size. Once half of the limit is spent, points of a curve
+ * without constraints take greedy's plan and the bound from greedy's scans (not
+ * with MURK_PLACE_SPOQ). Once the limit is spent, sweeps and relocation stop,
+ * and is_work_cut says so.
  *
  * With a target, counts are tried upwards from the smallest feasible one. If
  * the plan of a count misses the target and the bound does not exclude it,
