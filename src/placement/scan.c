@@ -210,19 +210,28 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
     return murk_gain_scan_evaluate(s, remaining, best);
 }
 
+static uint64_t larger(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
 /* Evaluates the undominated candidates by falling upper bound, until no bound
  * reaches the best gain. Returns the best gain; 0 if the run is interrupted. */
 static uint64_t evaluate_undominated(murk_gain_scan *s,
                                      const murk_ranked *ranking)
 {
     const size_t n = s->evaluator->undominated;
+    /* In an unknown environment gains below s->gain_min may be inexact, so they
+     * must not decide which candidates are evaluated. */
+    const uint64_t min = s->evaluator->matrix ? 0 : s->gain_min;
     uint64_t best = 0;
-    for (size_t k = 0; k < n && ranking[k].bound >= best;) {
+    for (size_t k = 0; k < n && ranking[k].bound >= larger(best, min);) {
         if (murk_interrupted()) {
             return 0;
         }
         size_t gathered = 0;
-        for (; k < n && gathered < MURK_SCAN_CHUNK && ranking[k].bound >= best;
+        for (; k < n && gathered < MURK_SCAN_CHUNK &&
+               ranking[k].bound >= larger(best, min);
              ++k) {
             if (murk_gain_scan_can_add(s, ranking[k].candidate)) {
                 s->chunk[gathered++] = ranking[k].candidate;

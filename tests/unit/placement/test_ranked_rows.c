@@ -77,17 +77,44 @@ static bool same_result(const murk_place_result *a, const murk_place_result *b)
            memcmp(a->sensor, b->sensor, a->count * sizeof *a->sensor) == 0;
 }
 
+/* Candidates in three clusters, and so many in the first one that they fill the
+ * first chunk of a scan: while another sensor stands there, they add less than
+ * the moved sensor, and candidates of the last cluster cannot add more. */
+typedef struct cluster {
+    size_t candidates, photons; /* of the clusters up to this one */
+    double share;               /* of the pairs that are seen */
+} cluster;
+static const cluster clusters[] = {
+    {150, 60, .9}, {170, 85, .7}, {400, 100, .3}};
+#define CANDIDATES 400
+#define PHOTONS    100
+#define KINDS      4
+
 /* A made-up problem of a kind: binary, with clarities, with two views that
  * count, or with detection probabilities. */
-#define KINDS      4
-#define CANDIDATES 60
 static made_up *of_kind(int kind, unsigned threads)
 {
-    made_up *m =
-        made_up_create(5, 200, CANDIDATES, 0.15, kind == 0 ? 1 : 9, 3, threads);
+    made_up *m = made_up_create(5, PHOTONS, CANDIDATES, 1, kind == 0 ? 1 : 9, 3,
+                                threads);
     m->problem.redundancy = kind == 2 ? 2 : 1;
     m->problem.combining =
         kind == 3 ? MURK_COMBINE_INDEPENDENT : MURK_COMBINE_CLEAREST;
+    /* Keep a share of the pairs within clusters. */
+    for (uint32_t j = 0; j < CANDIDATES; ++j) {
+        const cluster *at = clusters;
+        while (j >= at->candidates) {
+            ++at;
+        }
+        for (uint32_t i = 0; i < PHOTONS; ++i) {
+            uint32_t word[4];
+            murk_random_words(5, MURK_TEST, i, j, 2, word);
+            const size_t first = at > clusters ? at[-1].photons : 0;
+            if (i < first || i >= at->photons ||
+                word[0] >= at->share * 0x1p32) {
+                m->clarity[j * PHOTONS + i] = 0;
+            }
+        }
+    }
     return m;
 }
 
@@ -107,7 +134,7 @@ static void test_memory_changes_nothing(murk_place_method method)
             murk_place_desc desc = murk_place_defaults();
             desc.method = method;
             desc.count = 4;
-            desc.restarts = 8;
+            desc.restarts = 2;
             desc.row_memory = memory[k / 4];
             murk_place_result r = {0};
             murk_error err = {0};
