@@ -25,6 +25,8 @@ typedef struct choosing {
     const murk_scene_desc *scene;
     murk_scenarios *scenarios; /* the conditions with a weight above 0 */
     murk_place_desc desc;
+    uint64_t queries; /* of all plans, by all their sights; 0 in a known
+                         environment */
 } choosing;
 
 static murk_status join(choosing *ch, murk_error *err)
@@ -64,9 +66,12 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
     return status;
 }
 
+/* Keeps a plan that was chosen by so many sights. */
 static murk_status keep(choosing *ch, const char *made_for,
-                        const murk_place_result *place, murk_error *err)
+                        const murk_place_result *place, size_t sights,
+                        murk_error *err)
 {
+    ch->queries += place->queries * sights;
     murk_condition_plan *plan = &ch->plans->plan[ch->plans->plans++];
     snprintf(plan->made_for, sizeof plan->made_for, "%s", made_for);
     plan->count = place->count;
@@ -144,7 +149,7 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         }
         block += has_block;
         if (!status) {
-            status = keep(ch, settings->name, &place, err);
+            status = keep(ch, settings->name, &place, 1, err);
         }
         murk_place_release(&place);
     }
@@ -168,12 +173,13 @@ static murk_status choose_all(choosing *ch, murk_error *err)
         }
         if (k == objective) {
             ch->plans->chosen = ch->plans->plans;
-            status = keep(ch, name, &ch->plan->place, err);
+            status =
+                keep(ch, name, &ch->plan->place, ch->scenarios->blocks.n, err);
         } else if (k == MURK_SCENE_OBJECTIVE_MEAN || ch->scenarios->matrix) {
             status =
                 murk_scenarios_place(&place, ch->scenarios, k, &ch->desc, err);
             if (!status) {
-                status = keep(ch, name, &place, err);
+                status = keep(ch, name, &place, ch->scenarios->blocks.n, err);
             }
         }
         murk_place_release(&place);
@@ -198,6 +204,7 @@ static murk_status choose_joined(choosing *ch, murk_error *err)
     for (size_t c = 0; !status && c < all->n; ++c) {
         murk_plan_add_work(ch->plan, all->condition[c].sight);
     }
+    murk_plan_count_queries(ch->plan, ch->queries);
     if (status && err && !err->where[0]) {
         snprintf(err->where, sizeof err->where, "%s", ch->scene->sensors.where);
     }
@@ -214,5 +221,5 @@ murk_status murk_condition_plans_choose(murk_condition_plans *plans,
     }
     const murk_status status = murk_plan_choose(plan, all->condition[0].stage,
                                                 all->condition[0].sight, err);
-    return status ? status : keep(&ch, "", &plan->place, err);
+    return status ? status : keep(&ch, "", &plan->place, 1, err);
 }

@@ -35,23 +35,43 @@ static void append(murk_scenarios_workspace *workspace, size_t at, size_t first,
     }
 }
 
-static void get_row(void *context, unsigned worker, size_t candidate,
-                    murk_sparse_row *out)
+/* Joins the rows of all parts; with need, the entries that are needed. No part
+ * alone can give up the row. */
+static void join_rows(const murk_scenarios *j, unsigned worker,
+                      size_t candidate, const murk_row_need *need,
+                      murk_sparse_row *out)
 {
-    const murk_scenarios *j = context;
     murk_scenarios_workspace *workspace = &j->workspace[worker];
     bool is_clear = true;
     size_t seen = 0;
     for (size_t c = 0; c < j->blocks.n; ++c) {
         const murk_problem *part = &j->part[c].problem;
         murk_sparse_row one;
-        part->get_row(part->context, worker, candidate, &one);
+        if (need) {
+            const murk_row_need own = {need->entry_max + j->blocks.first[c], 0};
+            (void)part->get_part(part->context, worker, candidate, &own, &one);
+        } else {
+            part->get_row(part->context, worker, candidate, &one);
+        }
         append(workspace, seen, j->blocks.first[c], &one);
         is_clear = is_clear && !one.clarity;
         seen += one.seen;
     }
     *out = (murk_sparse_row){seen, workspace->photon,
                              is_clear ? NULL : workspace->clarity};
+}
+
+static void get_row(void *context, unsigned worker, size_t candidate,
+                    murk_sparse_row *out)
+{
+    join_rows(context, worker, candidate, NULL, out);
+}
+
+static bool get_part(void *context, unsigned worker, size_t candidate,
+                     const murk_row_need *need, murk_sparse_row *out)
+{
+    join_rows(context, worker, candidate, need, out);
+    return true;
 }
 
 /* The largest sum of weights per unit of share at which the sum of all weights
@@ -143,6 +163,7 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     j->problem.photons = j->blocks.first[n];
     j->problem.is_reweighed = true;
     j->problem.get_row = get_row;
+    j->problem.get_part = get_part;
     j->problem.context = j;
     murk_status status = MURK_OK;
     if (j->problem.photons > UINT32_MAX) {

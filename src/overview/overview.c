@@ -27,6 +27,16 @@ static double matrix_bytes(const murk_overview *o)
     return records * usable * (dims ? 2 : 0.125);
 }
 
+/* The largest memory [bytes] of the rows that placement remembers in an unknown
+ * environment. */
+static double cached_bytes(const murk_overview *o)
+{
+    const murk_scene_placement *placement = &o->session->scene->placement;
+    return placement->knowledge == MURK_SCENE_UNKNOWN
+               ? fmin(placement->memory_mb * 1048576, matrix_bytes(o))
+               : 0;
+}
+
 static void add_surfaces(cJSON *root, const murk_overview *o)
 {
     const murk_scene_desc *scene = o->session->scene;
@@ -106,6 +116,7 @@ cJSON *murk_overview_json(const murk_overview *o)
     murk_json_number(forecast, "volume", o->forecast.volume);
     murk_json_number(forecast, "memory_bytes", o->forecast.memory_bytes);
     murk_json_number(forecast, "matrix_bytes_at_most", matrix_bytes(o));
+    murk_json_number(forecast, "remembered_bytes_at_most", cached_bytes(o));
     if (o->picture) {
         murk_section_file_json(root, o->picture, &o->section);
         murk_json_file(root, o->picture);
@@ -188,6 +199,11 @@ void murk_overview_print(const void *of)
         murk_print("memory      about %.3g GB a map while tracing; to place in "
                    "a known environment at most %.3g GB more\n",
                    o->forecast.memory_bytes / 1e9, matrix_bytes(o) / 1e9);
+    }
+    if (cached_bytes(o) >= 1e5) {
+        murk_print("            in an unknown environment at most %.3g GB for "
+                   "remembered rows (placement.memory_mb)\n",
+                   cached_bytes(o) / 1e9);
     }
     if (o->picture) {
         const murk_vec3 cut = murk_scene_user(scene, o->section.cut);

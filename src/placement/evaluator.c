@@ -19,9 +19,14 @@
 #define BYTES_WORTH_THREADS 2097152
 
 /* Candidates in one batch of a thread: evaluating 16 rows takes longer than
- * fetching the next batch. In an unknown environment each row is a batch by
- * itself, because computing a row always takes longer than fetching a batch. */
+ * fetching the next batch. If the problem is asked for rows, each row is a
+ * batch by itself, because computing a row always takes longer than that. */
 #define ROWS_AT_ONCE 16
+
+/* Candidates whose rows are computed before it is decided which of them are
+ * cached, in an unknown environment. Enough for all threads, and the memory
+ * of so many rows is needed besides that of the cached ones (a choice). */
+#define ROWS_OFFERED 256
 
 /* A task for the thread pool: gains of n candidates. */
 typedef struct evaluation {
@@ -29,18 +34,32 @@ typedef struct evaluation {
     const murk_cover *cover;
     const uint32_t *candidate; /* NULL: candidate k is k */
     uint64_t *gain;
-    murk_cover *seen; /* [threads] covers, each of which receives the rows that
-                         the thread evaluates; or NULL */
-    uint64_t *slack;  /* receives the rounding slacks, or NULL */
+    murk_cover *seen;  /* [threads] covers, each of which receives the rows that
+                          the thread evaluates; or NULL */
+    uint64_t *slack;   /* receives the rounding slacks, or NULL */
+    murk_row *offered; /* [n] receive the rows that may be cached, or NULL */
+    bool *is_clear;    /* [n] receive whether all entries are MURK_CLEAR */
+    const murk_row_need *need; /* NULL: all gains are exact */
     size_t n, at_once;
     bool is_max; /* upper bounds instead of gains */
 } evaluation;
 
+/* The row of a candidate if it is in memory. */
+static const murk_row *row_in_memory(const murk_evaluator *evaluator,
+                                     uint32_t candidate)
+{
+    const murk_row *row = evaluator->row;
+    return evaluator->has_all_rows || (row && row[candidate].memory)
+               ? &row[candidate]
+               : NULL;
+}
+
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate)
 {
-    if (evaluator->matrix) {
-        return evaluator->matrix->row[candidate];
+    const murk_row *row = row_in_memory(evaluator, candidate);
+    if (row) {
+        return *row;
     }
     murk_sparse_row entries;
     evaluator->problem->get_row(evaluator->problem->context, worker, candidate,
@@ -48,38 +67,117 @@ murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
     return murk_row_borrow(&entries);
 }
 
+/* The row of a candidate as far as it is needed; false if the row was given up.
+ */
+static bool get_part(murk_row *out, const murk_evaluator *evaluator,
+                     unsigned worker, uint32_t candidate,
+                     const murk_row_need *need)
+{
+    const murk_problem *problem = evaluator->problem;
+    if (!need || !problem->get_part || row_in_memory(evaluator, candidate)) {
+        *out = murk_evaluator_row(evaluator, worker, candidate);
+        return true;
+    }
+    murk_sparse_row entries;
+    if (!problem->get_part(problem->context, worker, candidate, need,
+                           &entries)) {
+        return false;
+    }
+    *out = murk_row_borrow(&entries);
+    return true;
+}
+
+murk_row murk_evaluator_part(const murk_evaluator *evaluator, unsigned worker,
+                             uint32_t candidate, const murk_row_need *need)
+{
+    murk_row row = {0};
+    (void)get_part(&row, evaluator, worker, candidate, need);
+    return row;
+}
+
+void murk_evaluator_bound_entries(const murk_evaluator *evaluator,
+                                  const murk_cover *cover, uint64_t *entry_max)
+{
+    const murk_layout *layout = evaluator->layout;
+    for (size_t i = 0; i < layout->slots; ++i) {
+        const unsigned lowest = !cover->full ? cover->best[i]
+                                : cover->full[i / 64] >> (i % 64) & 1
+                                    ? MURK_CLEAR
+                                    : 0;
+        entry_max[i] = (uint64_t)layout->weight[i] * (MURK_CLEAR - lowest);
+    }
+}
+
 static uint32_t candidate_of(const evaluation *w, size_t k)
 {
     return w->candidate ? w->candidate[k] : (uint32_t)k;
 }
 
-static void evaluate(const evaluation *w, unsigned worker, size_t batch)
+/* The first evaluation of a candidate, over an empty cover: also adds the row
+ * to the cover of all rows, and stores a row that may be cached. */
+static void evaluate_first(const evaluation *w, unsigned worker, size_t batch)
 {
-    const murk_layout *layout = w->evaluator->layout;
+    const murk_evaluator *o = w->evaluator;
+    const murk_layout *layout = o->layout;
     const uint32_t candidate = candidate_of(w, batch);
-    const murk_row row = murk_evaluator_row(w->evaluator, worker, candidate);
-    if (w->is_max) {
-        w->gain[batch] = murk_row_gain_bound(layout, &row, w->cover) +
-                         MURK_GAIN_BOUND_SLACK / MURK_WORTH_SLACK *
-                             w->evaluator->slack[candidate];
-        return;
+    murk_sparse_row entries;
+    murk_row row;
+    /* Evaluate the row. */
+    if (o->matrix) {
+        row = o->row[candidate];
+    } else {
+        o->problem->get_row(o->problem->context, worker, candidate, &entries);
+        row = murk_row_borrow(&entries);
     }
     w->gain[batch] = murk_row_gain(layout, &row, w->cover);
-    if (w->seen) {
-        murk_cover_add(&w->seen[worker], layout, &row);
-        if (w->slack) {
-            w->slack[batch] = MURK_WORTH_SLACK * murk_row_weight(layout, &row);
-        }
-        murk_progress_add(1);
+    murk_cover_add(&w->seen[worker], layout, &row);
+    if (w->slack) {
+        w->slack[batch] = MURK_WORTH_SLACK * murk_row_weight(layout, &row);
     }
+    /* Store the row if it may be cached. */
+    if (w->offered) {
+        const murk_ranked ranked = {
+            w->gain[batch] + (w->slack ? w->slack[batch] : 0), candidate};
+        w->is_clear[batch] = murk_row_is_clear(&entries);
+        if (murk_ranked_rows_wants(&o->cached, ranked) &&
+            !murk_row_store(&w->offered[batch], layout, &entries)) {
+            w->offered[batch] = (murk_row){0};
+        }
+    }
+    murk_progress_add(1);
 }
 
-/* Prefetches the next row of the matrix, as rows lie in separate blocks of
- * memory. */
+static void evaluate(const evaluation *w, unsigned worker, size_t batch)
+{
+    const murk_evaluator *o = w->evaluator;
+    const uint32_t candidate = candidate_of(w, batch);
+    murk_row row;
+    if (w->seen) {
+        evaluate_first(w, worker, batch);
+        return;
+    }
+    if (w->is_max) {
+        row = murk_evaluator_row(o, worker, candidate);
+        w->gain[batch] =
+            murk_row_gain_bound(o->layout, &row, w->cover) +
+            MURK_GAIN_BOUND_SLACK / MURK_WORTH_SLACK * o->slack[candidate];
+        return;
+    }
+    /* No row is needed if the upper bound on the gain is too small. */
+    const bool is_hopeless =
+        w->need && murk_evaluator_gain_bound(o, candidate) < w->need->gain_min;
+    w->gain[batch] =
+        !is_hopeless && get_part(&row, o, worker, candidate, w->need)
+            ? murk_row_gain(o->layout, &row, w->cover)
+            : 0;
+}
+
+/* Prefetches the next row if all are in memory, as rows lie in separate blocks
+ * of memory. */
 static void prefetch_next(const evaluation *w, size_t k, size_t end)
 {
-    if (w->evaluator->matrix && k + 1 < end) {
-        const murk_row *row = w->evaluator->matrix->row;
+    if (w->evaluator->has_all_rows && k + 1 < end) {
+        const murk_row *row = w->evaluator->row;
         const char *next = row[candidate_of(w, k + 1)].memory;
         __builtin_prefetch(next);
         __builtin_prefetch(next + 64);
@@ -106,7 +204,7 @@ static void evaluate_batch(void *context, unsigned worker, uint64_t batch)
 
 static void evaluate_in_batches(evaluation *w, unsigned threads)
 {
-    w->at_once = w->evaluator->matrix ? ROWS_AT_ONCE : 1;
+    w->at_once = w->evaluator->has_all_rows ? ROWS_AT_ONCE : 1;
     murk_pool_run_workers(threads, (w->n + w->at_once - 1) / w->at_once,
                           evaluate_batch, w);
 }
@@ -128,7 +226,7 @@ uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
 
 unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n)
 {
-    const bool is_worth = !evaluator->matrix ||
+    const bool is_worth = !evaluator->has_all_rows ||
                           n > BYTES_WORTH_THREADS / (evaluator->row_bytes + 1);
     return is_worth ? evaluator->problem->threads : 1;
 }
@@ -160,10 +258,21 @@ void murk_evaluator_gains(const murk_evaluator *evaluator,
                           size_t n, unsigned threads, unsigned worker,
                           uint64_t *gain)
 {
+    murk_evaluator_needed_gains(evaluator, cover, candidate, n, threads, worker,
+                                NULL, gain);
+}
+
+void murk_evaluator_needed_gains(const murk_evaluator *evaluator,
+                                 const murk_cover *cover,
+                                 const uint32_t *candidate, size_t n,
+                                 unsigned threads, unsigned worker,
+                                 const murk_row_need *need, uint64_t *gain)
+{
     evaluate_candidates((evaluation){.evaluator = evaluator,
                                      .cover = cover,
                                      .candidate = candidate,
                                      .gain = gain,
+                                     .need = need,
                                      .n = n},
                         threads, worker);
 }
@@ -183,16 +292,56 @@ void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
                         threads, worker);
 }
 
-static int by_rank(const void *a, const void *b)
-{
-    const murk_ranked *x = a, *y = b;
-    const int falling = MURK_ORDER(y->bound, x->bound);
-    return falling ? falling : MURK_ORDER(x->candidate, y->candidate);
-}
-
 void murk_ranked_sort(murk_ranked *ranked, size_t n)
 {
-    qsort(ranked, n, sizeof *ranked, by_rank);
+    qsort(ranked, n, sizeof *ranked, murk_compare_ranked);
+}
+
+/* Unknown environment: asks the problem for the row of each candidate, and
+ * caches rows. Their candidates are evaluated in groups of ROWS_OFFERED, and
+ * the rows of a group are offered in order. */
+static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
+                                      murk_error *err)
+{
+    murk_row row[ROWS_OFFERED];
+    bool is_clear[ROWS_OFFERED];
+    uint32_t candidate[ROWS_OFFERED];
+    bool is_binary = true;
+    w.candidate = candidate;
+    w.offered = row;
+    w.is_clear = is_clear;
+    for (size_t first = 0; first < o->candidates && !murk_interrupted();
+         first += w.n) {
+        const size_t left = o->candidates - first;
+        w.n = left < ROWS_OFFERED ? left : ROWS_OFFERED;
+        w.gain = o->single_value + first;
+        w.slack = o->slack ? o->slack + first : NULL;
+        for (size_t k = 0; k < w.n; ++k) {
+            candidate[k] = (uint32_t)(first + k);
+            row[k] = (murk_row){0};
+            is_clear[k] = true;
+        }
+        evaluate_in_batches(&w, o->problem->threads);
+        for (size_t k = 0; k < w.n; ++k) {
+            is_binary = is_binary && is_clear[k];
+            murk_ranked_rows_offer(
+                &o->cached,
+                (murk_ranked){murk_evaluator_gain_bound(o, candidate[k]),
+                              candidate[k]},
+                &row[k]);
+        }
+    }
+    /* The rows are now those in memory. */
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    const size_t count = o->cached.count;
+    o->row = o->cached.row;
+    o->row_bytes = count > 0 ? (size_t)o->cached.bytes / count : 0;
+    o->has_all_rows = count == o->candidates;
+    o->is_binary = is_binary && !o->layout->doses;
+    o->queries = o->candidates;
+    return MURK_OK;
 }
 
 /* Computes the value of each candidate alone, and the ceiling. */
@@ -219,14 +368,17 @@ static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
                     .n = o->candidates};
     murk_progress_begin(o->matrix ? "weigh" : "look", o->candidates,
                         "candidates");
-    evaluate_in_batches(&w, threads);
+    if (o->matrix) {
+        evaluate_in_batches(&w, threads);
+    } else {
+        status = evaluate_and_cache(o, w, err);
+    }
     murk_progress_end();
     /* The value of all rows together is the ceiling. */
     for (unsigned k = 1; k < threads; ++k) {
         murk_cover_join(&seen[0], o->layout, &seen[k]);
     }
     o->ceiling = murk_cover_value(&seen[0], o->layout);
-    o->queries = o->matrix ? 0 : o->candidates;
 done:
     for (unsigned k = 0; seen && k < threads; ++k) {
         murk_cover_release(&seen[k]);
@@ -354,28 +506,33 @@ murk_status murk_evaluator_init(murk_evaluator *out,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,
                                 const murk_constraint_set *set, size_t max,
-                                bool keep_dominated, murk_error *err)
+                                uint64_t row_memory, bool keep_dominated,
+                                murk_error *err)
 {
     const size_t n = problem->candidates;
+    murk_status status = MURK_OK;
     *out = (murk_evaluator){.problem = problem,
                             .matrix = matrix,
                             .set = set,
                             .candidates = n,
                             .is_binary = matrix && matrix->is_binary};
-    /* Take the layout of the matrix, or make one. */
+    /* Take layout and rows of the matrix, or make a layout. */
     if (matrix) {
         out->layout = &matrix->layout;
+        out->row = matrix->row;
+        out->has_all_rows = true;
         out->row_bytes = n ? matrix->memory_bytes / n : 0;
     } else {
-        const murk_status status =
-            murk_layout_init(&out->own_layout, problem, false, err);
+        status = murk_layout_init(&out->own_layout, problem, false, err);
+        if (!status) {
+            status = murk_ranked_rows_init(&out->cached, n, row_memory, err);
+        }
         if (status) {
+            murk_evaluator_release(out);
             return status;
         }
         out->layout = &out->own_layout;
     }
-    out->grain =
-        (uint64_t)out->layout->weight_gcd * (out->is_binary ? MURK_CLEAR : 1);
     /* Evaluate and rank the candidates. */
     murk_arena *arena = &out->arena;
     out->single_value = murk_arena_array(arena, n, sizeof *out->single_value);
@@ -385,10 +542,11 @@ murk_status murk_evaluator_init(murk_evaluator *out,
     if (out->layout->doses) {
         out->slack = murk_arena_array(arena, n, sizeof *out->slack);
     }
-    murk_status status = arena->is_short
-                             ? murk_no_memory(err, "", "for %zu candidates", n)
+    status = arena->is_short ? murk_no_memory(err, "", "for %zu candidates", n)
                              : evaluate_singles(out, err);
     status = status ? status : murk_interrupt_check(err);
+    out->grain =
+        (uint64_t)out->layout->weight_gcd * (out->is_binary ? MURK_CLEAR : 1);
     if (!status) {
         status = rank(out, max, keep_dominated, err);
     }
@@ -400,6 +558,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
 
 void murk_evaluator_release(murk_evaluator *evaluator)
 {
+    murk_ranked_rows_release(&evaluator->cached);
     murk_layout_release(&evaluator->own_layout);
     murk_arena_release(&evaluator->arena);
     *evaluator = (murk_evaluator){0};

@@ -9,12 +9,7 @@
 #include "placement/constraints.h"
 #include "placement/gain.h"
 #include "placement/matrix.h"
-
-/* A candidate with an upper bound on the gain. */
-typedef struct murk_ranked {
-    uint64_t bound;
-    uint32_t candidate;
-} murk_ranked;
+#include "placement/ranked_rows.h"
 
 typedef struct murk_evaluator {
     const murk_problem *problem;
@@ -23,9 +18,14 @@ typedef struct murk_evaluator {
     const murk_layout *layout;
     murk_layout own_layout; /* unknown environment only */
     size_t candidates;
-    bool is_binary;   /* all rows are BITS or CLEAR_LIST (placement/row.h), so
-                         covers may be bits; false in an unknown environment */
-    size_t row_bytes; /* mean size of a matrix row */
+    murk_ranked_rows cached; /* unknown environment only */
+    const murk_row *row; /* [candidates] rows in memory, those of the matrix or
+                            the cached ones; else row[j].memory NULL: the
+                            problem is asked */
+    bool has_all_rows;   /* all rows are in memory */
+    bool is_binary; /* the entries of all rows are MURK_CLEAR, so covers may be
+                       bits */
+    size_t row_bytes;       /* mean size of a row in memory */
     uint64_t *single_value; /* [candidates] value of each candidate alone */
     uint64_t *slack; /* [candidates] the amount by which a gain may grow later,
                         through rounding; NULL: gains never grow */
@@ -46,20 +46,22 @@ typedef struct murk_evaluator {
     size_t presolved_count;
     uint64_t ceiling, grain; /* ceiling: value of all candidates together; each
                                 value is a multiple of grain */
-    uint64_t queries;        /* rows asked of the problem at creation */
+    uint64_t queries; /* rows evaluated at creation; unknown environment only */
     uint64_t
         search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK */
     murk_arena arena;
 } murk_evaluator;
 
 /* matrix NULL: unknown environment, in which the problem is asked once for the
- * row of each candidate. Plans have at most `max` sensors. keep_dominated:
- * without presolve. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+ * row of each candidate, and rows of row_memory bytes altogether are
+ * cached. Plans have at most `max` sensors. keep_dominated: without
+ * presolve. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_evaluator_init(murk_evaluator *out,
                                 const murk_problem *problem,
                                 const murk_matrix *matrix,
                                 const murk_constraint_set *set, size_t max,
-                                bool keep_dominated, murk_error *err);
+                                uint64_t row_memory, bool keep_dominated,
+                                murk_error *err);
 void murk_evaluator_release(murk_evaluator *evaluator);
 
 /* Upper bound on the gain of the candidate over any cover. */
@@ -73,6 +75,22 @@ murk_evaluator_gain_bound(const murk_evaluator *evaluator, uint32_t candidate)
 /* The row of a candidate, valid until the worker's next call. */
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate);
+
+/* True if rows are asked of the problem in parts, so that searches should name
+ * their needs (murk_row_need). */
+static inline bool murk_evaluator_asks_parts(const murk_evaluator *evaluator)
+{
+    return !evaluator->has_all_rows && evaluator->problem->get_part;
+}
+
+/* Fills entry_max[slots] with upper bounds on the amounts by which an entry of
+ * each photon can increase the value of the cover (murk_row_need). */
+void murk_evaluator_bound_entries(const murk_evaluator *evaluator,
+                                  const murk_cover *cover, uint64_t *entry_max);
+
+/* The row of a candidate as far as it is needed; with need->gain_min 0. */
+murk_row murk_evaluator_part(const murk_evaluator *evaluator, unsigned worker,
+                             uint32_t candidate, const murk_row_need *need);
 
 /* The work of evaluating candidates against a cover, in evaluations of one
  * photon of a 0/1 row. Rows of clarities and of probabilities take longer. A
@@ -105,6 +123,15 @@ void murk_evaluator_gain_bounds(const murk_evaluator *evaluator,
                                 const uint32_t *candidate, size_t n,
                                 unsigned threads, unsigned worker,
                                 uint64_t *max);
+
+/* murk_evaluator_gains() with the needs of a search: instead of a gain below
+ * need->gain_min, gain[k] may be any smaller number. need NULL: all gains are
+ * exact. */
+void murk_evaluator_needed_gains(const murk_evaluator *evaluator,
+                                 const murk_cover *cover,
+                                 const uint32_t *candidate, size_t n,
+                                 unsigned threads, unsigned worker,
+                                 const murk_row_need *need, uint64_t *gain);
 
 /* Sorts by falling bound, then by index. */
 void murk_ranked_sort(murk_ranked *ranked, size_t n);

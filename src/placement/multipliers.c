@@ -30,6 +30,9 @@ murk_status murk_multipliers_init(murk_multipliers *out,
         out->max = murk_arena_array(arena, slots, sizeof *out->max);
         out->drawn = murk_arena_array(arena, slots, sizeof *out->drawn);
     }
+    if (murk_evaluator_asks_parts(evaluator)) {
+        out->entry_max = murk_arena_array(arena, slots, sizeof *out->entry_max);
+    }
     if (arena->is_short ||
         !murk_cover_init_single(&out->rounded, evaluator->layout, false)) {
         murk_multipliers_release(out);
@@ -150,12 +153,18 @@ static void weigh_row(void *context, unsigned worker, uint64_t batch)
     w->gain[batch] = in_whole(sum);
 }
 
-void murk_multipliers_gains(const murk_multipliers *t,
-                            const uint32_t *candidate, size_t n, uint64_t *gain)
+void murk_multipliers_gains(murk_multipliers *t, const uint32_t *candidate,
+                            size_t n, uint64_t *gain)
 {
     if (!t->factor) {
-        murk_evaluator_gains(t->evaluator, &t->rounded, candidate, n,
-                             t->evaluator->problem->threads, 0, gain);
+        const murk_row_need need = {t->entry_max, 0};
+        if (t->entry_max) {
+            murk_evaluator_bound_entries(t->evaluator, &t->rounded,
+                                         t->entry_max);
+        }
+        murk_evaluator_needed_gains(t->evaluator, &t->rounded, candidate, n,
+                                    t->evaluator->problem->threads, 0,
+                                    t->entry_max ? &need : NULL, gain);
         return;
     }
     evaluation w = {t, candidate, gain};

@@ -41,8 +41,10 @@ typedef struct murk_multipliers {
     const murk_cover *partial; /* cover of the partial plan, clarities or doses;
                                   NULL: empty */
     uint16_t *floor;           /* [slots] smallest multipliers */
-    uint16_t *count; /* [slots] scratch: number of chosen rows whose clarity
-                        exceeds the multiplier */
+    uint16_t *count;     /* [slots] scratch: number of chosen rows whose clarity
+                            exceeds the multiplier */
+    uint64_t *entry_max; /* [slots] scratch, if rows are asked of the problem in
+                            parts (murk_evaluator_asks_parts()) */
     /* Detection probabilities only. */
     uint64_t *factor; /* [slots] weight * (1 - t) */
     uint32_t *max;    /* [slots] 1 + y - Y0, rounded up */
@@ -68,7 +70,7 @@ uint64_t murk_multipliers_set(murk_multipliers *multipliers,
 
 /* gain[k] = the term of candidate[k] in the second sum, rounded up; over all
  * threads. */
-void murk_multipliers_gains(const murk_multipliers *multipliers,
+void murk_multipliers_gains(murk_multipliers *multipliers,
                             const uint32_t *candidate, size_t n,
                             uint64_t *gain);
 

@@ -13,12 +13,12 @@
  * branch and bound. Every method computes a bound.
  *
  * A plan that reaches the ceiling (the value of all candidates together) is
- * optimal and ends the work on that count. In a known environment search_work
- * limits the work of the searches. The SPOQ starts have a limit of their own,
- * of the same size. Once half of the limit is spent, points of a curve without
- * constraints take greedy's plan and the bound from greedy's scans (not with
- * MURK_PLACE_SPOQ). Once the limit is spent, sweeps and relocation stop, and
- * is_work_cut says so.
+ * optimal and ends the work on that count. A limit, search_work, holds for the
+ * work of the searches, in evaluations. The SPOQ starts have a limit of their
+ * own, of the same size. Once half of the limit is spent, points of a curve
+ * without constraints take greedy's plan and the bound from greedy's scans (not
+ * with MURK_PLACE_SPOQ). Once the limit is spent, sweeps and relocation stop,
+ * and is_work_cut says so.
  *
  * With a target, counts are tried upwards from the smallest feasible one. If
  * the plan of a count misses the target and the bound does not exclude it,
@@ -43,14 +43,15 @@
 #include "placement/settings.h"
 
 /* Known environment: uses the rows of the matrix, and weights and threads of
- * the problem. Unknown environment (matrix NULL): asks the problem for a row at
- * each evaluation, so memory is O(photons). Each decision of a search, and so
- * the plan before branch and bound, is the same in both environments unless
- * search_work ends a search: presolve, which needs the matrix, changes no plan.
- * Fails with MURK_BAD_VALUE (settings, constraints, a target that cannot be
- * reached), MURK_RUN_FAILED (no plan found), MURK_NO_MEMORY or
- * MURK_INTERRUPTED; *result is then unchanged. After success call
- * murk_place_release(). */
+ * the problem. Unknown environment (matrix NULL): asks the problem for each row
+ * that is not cached (desc->row_memory), so without cached rows memory is
+ * O(photons). The result is the same for any row_memory. Each decision of a
+ * search, and so the plan before branch and bound, is the same in both
+ * environments unless search_work ends a search: presolve, which needs the
+ * matrix, changes no plan. Fails with MURK_BAD_VALUE (settings, constraints, a
+ * target that cannot be reached), MURK_RUN_FAILED (no plan found),
+ * MURK_NO_MEMORY or MURK_INTERRUPTED; *result is then unchanged. After success
+ * call murk_place_release(). */
 murk_status murk_place_sensors(murk_place_result *result,
                                const murk_problem *problem,
                                const murk_matrix *matrix,

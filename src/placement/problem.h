@@ -34,6 +34,15 @@ typedef struct murk_sparse_row {
     const uint16_t *clarity;
 } murk_sparse_row;
 
+/* The entries of a row that a search still needs, in an unknown environment. */
+typedef struct murk_row_need {
+    const uint64_t *entry_max; /* [photons] upper bounds on the amounts by which
+                             an entry of each photon can increase the value; 0:
+                             the entry may be left out */
+    uint64_t
+        gain_min; /* a row whose entries cannot add so much may be given up */
+} murk_row_need;
+
 /* The rule by which the entries of several sensors for one photon make f_i. */
 typedef enum murk_combining {
     MURK_COMBINE_CLEAREST,   /* the sum of the `redundancy` largest entries; for
@@ -66,6 +75,11 @@ typedef struct murk_problem {
      * same answer. Called from any thread, with worker in [0, threads). */
     void (*get_row)(void *context, unsigned worker, size_t candidate,
                     murk_sparse_row *row);
+    /* Fills *row with the entries that are needed, and perhaps others, in less
+     * time than get_row; false, without a row, if the sum of need->entry_max
+     * over the row is below need->gain_min. NULL: there is no such function. */
+    bool (*get_part)(void *context, unsigned worker, size_t candidate,
+                     const murk_row_need *need, murk_sparse_row *row);
     void *context;
     unsigned threads;
     bool is_reweighed; /* the matrix will get other weights

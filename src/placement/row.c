@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_all_clear(const murk_sparse_row *entries)
+bool murk_row_is_clear(const murk_sparse_row *entries)
 {
     if (!entries->clarity) {
         return true;
@@ -53,7 +53,7 @@ static row_format format_of(const murk_layout *layout,
                             const murk_sparse_row *entries, size_t words_used)
 {
     const size_t seen = entries->seen;
-    const bool is_clear = is_all_clear(entries);
+    const bool is_clear = murk_row_is_clear(entries);
     /* Bits first, sparse where that pays. */
     row_format s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
                     .words = layout->words};

@@ -42,6 +42,8 @@ murk_row murk_row_borrow(const murk_sparse_row *entries);
  * when out of memory. The caller frees out->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
+/* True if all clarities are MURK_CLEAR. */
+bool murk_row_is_clear(const murk_sparse_row *entries);
 /* The number of bytes that murk_row_store() would allocate. */
 size_t murk_row_bytes(const murk_layout *layout,
                       const murk_sparse_row *entries);

@@ -29,8 +29,9 @@ murk_status murk_place_run_begin(murk_place_run *run,
     }
     const size_t n = run->set ? run->set->max_sensors : desc->count;
     if (!status) {
-        status = murk_evaluator_init(&run->evaluator, problem, matrix, run->set,
-                                     n, desc->keep_dominated, err);
+        status =
+            murk_evaluator_init(&run->evaluator, problem, matrix, run->set, n,
+                                desc->row_memory, desc->keep_dominated, err);
     }
     if (!status) {
         run->evaluator.search_work = desc->search_work;

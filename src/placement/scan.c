@@ -16,8 +16,7 @@ uint64_t murk_gain_scan_rows_max(const murk_evaluator *evaluator)
 {
     const uint64_t work =
         evaluator->search_work ? evaluator->search_work : MURK_SEARCH_WORK;
-    return evaluator->matrix ? work / murk_evaluator_work(evaluator, 1)
-                             : UINT64_MAX;
+    return work / murk_evaluator_work(evaluator, 1);
 }
 
 murk_status murk_gain_scan_init(murk_gain_scan *out,
@@ -49,6 +48,11 @@ murk_status murk_gain_scan_init(murk_gain_scan *out,
     if (evaluator->matrix && evaluator->slack) {
         out->max = murk_arena_array(arena, n, sizeof *out->max);
     }
+    if (murk_evaluator_asks_parts(evaluator)) {
+        out->entry_max = murk_arena_array(arena, evaluator->layout->slots,
+                                          sizeof *out->entry_max);
+        out->is_entry_max_old = true;
+    }
     murk_status status = MURK_OK;
     if (arena->is_short || !murk_cover_init(&out->cover, evaluator->layout,
                                             evaluator->is_binary)) {
@@ -72,14 +76,34 @@ void murk_gain_scan_release(murk_gain_scan *search)
     *search = (murk_gain_scan){0};
 }
 
+/* The needs of an evaluation over the present cover; NULL: no part of a row is
+ * asked for, as rows are in memory. */
+static const murk_row_need *update_need(murk_gain_scan *s, uint64_t gain_min,
+                                        murk_row_need *need)
+{
+    if (!s->entry_max) {
+        return NULL;
+    }
+    if (s->is_entry_max_old) {
+        murk_evaluator_bound_entries(s->evaluator, &s->cover, s->entry_max);
+        s->is_entry_max_old = false;
+    }
+    *need = (murk_row_need){s->entry_max, gain_min};
+    return need;
+}
+
 uint64_t murk_gain_scan_add(murk_gain_scan *s, uint32_t candidate)
 {
     const murk_layout *layout = s->evaluator->layout;
-    const murk_row row = murk_evaluator_row(s->evaluator, s->worker, candidate);
+    murk_row_need need;
+    const murk_row row = murk_evaluator_part(s->evaluator, s->worker, candidate,
+                                             update_need(s, 0, &need));
     s->queries += s->evaluator->matrix ? 0 : 1;
     s->rows += 2; /* evaluated and added */
     const uint64_t gain = murk_row_gain(layout, &row, &s->cover);
     murk_cover_add(&s->cover, layout, &row);
+    s->is_entry_max_old = true;
+    s->value += gain;
     s->is_partial[candidate] = true;
     if (s->evaluator->set) {
         murk_partial_plan_add(&s->partial, candidate);
@@ -91,23 +115,57 @@ uint64_t murk_gain_scan_set_all_but(murk_gain_scan *s, const uint32_t *plan,
                                     size_t n, size_t but)
 {
     murk_cover_clear(&s->cover, s->evaluator->layout);
+    s->is_entry_max_old = true;
+    s->value = 0;
     memset(s->is_partial, 0, s->evaluator->candidates * sizeof *s->is_partial);
     if (s->evaluator->set) {
         murk_partial_plan_clear(&s->partial, s->partial.wanted);
     }
-    uint64_t value = 0;
     for (size_t k = 0; k < n; ++k) {
         if (k != but) {
-            value += murk_gain_scan_add(s, plan[k]);
+            (void)murk_gain_scan_add(s, plan[k]);
         }
     }
-    return value;
+    return s->value;
+}
+
+/* Candidates that are evaluated before the largest gain so far becomes the
+ * smallest gain of interest. A constant, so the sightlines that are looked
+ * along do not depend on the number of threads. */
+#define ROWS_PER_COMPARISON 32
+
+/* Evaluates the candidates of the chunk, whose rows are asked of the problem if
+ * they are not in memory. */
+static void compute_gains(murk_gain_scan *s, size_t n, uint64_t best)
+{
+    const murk_evaluator *o = s->evaluator;
+    /* A partial plan that sees nothing leaves each candidate's value. */
+    if (!o->matrix && s->value == 0) {
+        for (size_t k = 0; k < n; ++k) {
+            s->chunk_gain[k] = o->single_value[s->chunk[k]];
+        }
+        return;
+    }
+    const size_t at_once =
+        s->entry_max && s->is_moving ? ROWS_PER_COMPARISON : n;
+    for (size_t first = 0; first < n; first += at_once) {
+        const size_t left = n - first;
+        const uint64_t gain_min = best > s->gain_min ? best : s->gain_min;
+        murk_row_need need;
+        murk_evaluator_needed_gains(
+            o, &s->cover, s->chunk + first, left < at_once ? left : at_once,
+            s->threads, s->worker,
+            update_need(s, s->is_moving ? gain_min : 0, &need),
+            s->chunk_gain + first);
+        for (size_t k = first; k < n && k < first + at_once; ++k) {
+            best = s->chunk_gain[k] > best ? s->chunk_gain[k] : best;
+        }
+    }
 }
 
 uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best)
 {
-    murk_evaluator_gains(s->evaluator, &s->cover, s->chunk, n, s->threads,
-                         s->worker, s->chunk_gain);
+    compute_gains(s, n, best);
     s->evaluations += n;
     s->rows += n;
     s->queries += s->evaluator->matrix ? 0 : n;
@@ -152,19 +210,28 @@ static uint64_t evaluate_promising(murk_gain_scan *s, size_t n, uint64_t best)
     return murk_gain_scan_evaluate(s, remaining, best);
 }
 
+static uint64_t larger(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
 /* Evaluates the undominated candidates by falling upper bound, until no bound
  * reaches the best gain. Returns the best gain; 0 if the run is interrupted. */
 static uint64_t evaluate_undominated(murk_gain_scan *s,
                                      const murk_ranked *ranking)
 {
     const size_t n = s->evaluator->undominated;
+    /* In an unknown environment gains below s->gain_min may be inexact, so they
+     * must not decide which candidates are evaluated. */
+    const uint64_t min = s->evaluator->matrix ? 0 : s->gain_min;
     uint64_t best = 0;
-    for (size_t k = 0; k < n && ranking[k].bound >= best;) {
+    for (size_t k = 0; k < n && ranking[k].bound >= larger(best, min);) {
         if (murk_interrupted()) {
             return 0;
         }
         size_t gathered = 0;
-        for (; k < n && gathered < MURK_SCAN_CHUNK && ranking[k].bound >= best;
+        for (; k < n && gathered < MURK_SCAN_CHUNK &&
+               ranking[k].bound >= larger(best, min);
              ++k) {
             if (murk_gain_scan_can_add(s, ranking[k].candidate)) {
                 s->chunk[gathered++] = ranking[k].candidate;
@@ -223,6 +290,18 @@ uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
             s->tie[s->ties++] = j;
         }
     }
+    return best;
+}
+
+uint64_t murk_gain_scan_find_move(murk_gain_scan *s, uint64_t value,
+                                  uint64_t gain_min)
+{
+    s->is_moving = true;
+    s->gain_min = gain_min;
+    const uint64_t best =
+        murk_gain_scan_find_best(s, s->evaluator->ranked, value);
+    s->is_moving = false;
+    s->gain_min = 0;
     return best;
 }
 

@@ -35,6 +35,14 @@ typedef struct murk_gain_scan {
     murk_ranked *ranking; /* [candidates] greedy's order */
     uint64_t *chunk_gain;
     uint32_t *chunk;
+    uint64_t value; /* of the partial plan */
+    /* The needs of this scan (murk_row_need), if rows are asked of the problem
+     * in parts. */
+    uint64_t
+        *entry_max; /* [slots] for the cover; NULL: rows are asked for whole */
+    bool is_entry_max_old; /* the cover has changed since */
+    bool is_moving;    /* a sensor is moved: only the largest gain matters */
+    uint64_t gain_min; /* is_moving: a gain that some candidate has */
     uint64_t evaluations, queries; /* counters; the caller resets them */
     uint64_t rows, rows_max; /* rows evaluated or added; SPOQ and relocation end
                                 beyond rows_max */
@@ -68,7 +76,7 @@ static inline bool murk_objective_is_greater(murk_objective_value a,
 }
 
 /* The number of rows that fit the limit on work, evaluator->search_work
- * (MURK_SEARCH_WORK if that is 0); UINT64_MAX in an unknown environment. */
+ * (MURK_SEARCH_WORK if that is 0). */
 uint64_t murk_gain_scan_rows_max(const murk_evaluator *evaluator);
 
 murk_status murk_gain_scan_init(murk_gain_scan *out,
@@ -115,6 +123,12 @@ uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best);
  * candidates by upper bounds on their gains. */
 uint64_t murk_gain_scan_find_best(murk_gain_scan *s, const murk_ranked *ranking,
                                   uint64_t value);
+
+/* The same for the move of a sensor, with the evaluator's ranking. `gain_min`
+ * is the gain at the present place of the sensor, or 0: s->gain of candidates
+ * with smaller gains may then be any smaller number. */
+uint64_t murk_gain_scan_find_move(murk_gain_scan *s, uint64_t value,
+                                  uint64_t gain_min);
 
 /* After a scan over a growing partial plan: lowers the bounds of s->ranking to
  * the computed gains and sorts again. */

@@ -239,6 +239,13 @@ static bool is_work_spent(murk_gain_scan *s)
     return s->is_cut || murk_interrupted();
 }
 
+/* The gain of a sensor in a plan of this value over the others; 0 if the value
+ * of the plan is not known yet. */
+static uint64_t gain_above(uint64_t value, uint64_t others)
+{
+    return value > others ? value - others : 0;
+}
+
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart)
 {
@@ -257,8 +264,8 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
             s->is_move = true;
             const uint64_t others =
                 murk_gain_scan_set_all_but(s, plan, n, mover);
-            value = others +
-                    murk_gain_scan_find_best(s, s->evaluator->ranked, others);
+            value = others + murk_gain_scan_find_move(
+                                 s, others, gain_above(value, others));
             uint32_t word[4];
             murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
             plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
@@ -291,7 +298,7 @@ static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
         const size_t k = fixed + at;
         const uint64_t others = murk_gain_scan_set_all_but(s, plan, n, k);
         const uint64_t best =
-            murk_gain_scan_find_best(s, s->evaluator->ranked, others);
+            murk_gain_scan_find_move(s, others, gain_above(value, others));
         value = others + best;
         if (best > 0 && s->gain[plan[k]] != best) {
             plan[k] = s->tie[0];

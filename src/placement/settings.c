@@ -14,6 +14,7 @@ murk_place_desc murk_place_defaults(void)
                              .count = 1,
                              .restarts = 200,
                              .nodes = 1000000,
+                             .row_memory = MURK_ROW_MEMORY,
                              .seed = 1,
                              .with_curve = true};
 }

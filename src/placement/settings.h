@@ -12,6 +12,9 @@
  * a hundredth of it. */
 #define MURK_SEARCH_WORK UINT64_C(500000000000)
 
+/* Default memory of cached rows. */
+#define MURK_ROW_MEMORY ((uint64_t)1 << 30)
+
 /* MURK_PLACE_BEST makes no further start after this many in a row without gain.
  * A choice, not a measurement. */
 #define MURK_STARTS_WITHOUT_GAIN 20
@@ -27,8 +30,10 @@ typedef struct murk_place_desc {
     uint64_t nodes; /* maximum work of branch and bound (placement/exact.h), all
                        counts together; known environment only; 0: no branch and
                        bound */
-    uint64_t search_work; /* maximum work of the searches, in a known
-                             environment only; 0: MURK_SEARCH_WORK */
+    uint64_t search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK.
+                             It counts evaluations, whether or not a row is
+                             cached */
+    uint64_t row_memory;  /* bytes of cached rows; unknown environment only */
     uint32_t seed;
     bool with_curve; /* also find plans of fewer sensors, from 1 or from the
                         smallest feasible count; not with a budget */
@@ -38,8 +43,9 @@ typedef struct murk_place_desc {
     bool keep_dominated; /* without presolve, for comparison */
 } murk_place_desc;
 
-murk_place_desc murk_place_defaults(
-    void); /* best, 1 sensor, 200 starts, 1e6 nodes, seed 1, with a curve */
+murk_place_desc
+murk_place_defaults(void); /* best, 1 sensor, 200 starts, 1e6 nodes, 1 GiB of
+                              rows, seed 1, with a curve */
 
 /* True if the method ends with branch and bound, in a known environment. */
 static inline bool murk_place_has_proof(murk_place_method method)
@@ -80,7 +86,8 @@ typedef struct murk_place_result {
                     an interrupt */
     bool is_work_cut;     /* the searches ended at desc->search_work */
     uint64_t evaluations; /* gains of candidates that were computed */
-    uint64_t queries; /* rows asked of the problem; unknown environment only */
+    uint64_t queries;     /* rows evaluated or added, whether cached or asked of
+                             the problem; unknown environment only */
     murk_curve_point
         *curve; /* [curve_points], by increasing count; NULL without a curve */
     size_t curve_points;

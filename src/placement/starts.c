@@ -44,10 +44,10 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
 murk_status murk_starts_init(murk_starts *t, const murk_evaluator *evaluator,
                              size_t count, uint32_t seed, murk_error *err)
 {
-    /* In an unknown environment, and for long scans, threads share each scan.
-     * Otherwise each thread makes a start of its own. */
+    /* If rows are asked of the problem, and for long scans, threads share each
+     * scan. Otherwise each thread makes a start of its own. */
     const unsigned threads = evaluator->problem->threads;
-    const bool is_wide = !evaluator->matrix ||
+    const bool is_wide = !evaluator->has_all_rows ||
                          murk_evaluator_threads(evaluator, MURK_SCAN_CHUNK) > 1;
     const unsigned workers = is_wide ? 1 : threads;
     const size_t wave = workers > 1 ? workers * STARTS_PER_WORKER : 1;

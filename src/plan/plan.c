@@ -18,6 +18,9 @@
  * the maps and for bounds. */
 #define MATRIX_SHARE 0.7
 
+/* The unit of placement.memory_mb. */
+#define BYTES_PER_MB 1048576.0
+
 /* An estimate that has no value. */
 static const murk_estimate NO_ESTIMATE = {NAN, NAN};
 
@@ -28,6 +31,7 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
     desc.count = (size_t)scene->sensors.count;
     desc.restarts = (size_t)scene->placement.restarts;
     desc.nodes = scene->placement.nodes;
+    desc.row_memory = (uint64_t)(scene->placement.memory_mb * BYTES_PER_MB);
     desc.seed = scene->seed;
     return desc;
 }
@@ -124,10 +128,15 @@ uint64_t murk_plan_value_of(double share, const murk_problem *problem)
 void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight)
 {
     const murk_sight_work work = murk_sight_work_of(sight);
-    plan->queries += work.queries - plan->forecast_queries;
+    plan->looks += work.queries - plan->forecast_queries;
     plan->shadow_rays += work.shadow_rays - plan->forecast_rays;
     plan->blocked_by_interfaces += work.blocked_by_interfaces;
     plan->totally_reflected += work.totally_reflected;
+}
+
+void murk_plan_count_queries(murk_plan_result *plan, uint64_t queries)
+{
+    plan->queries = queries > 0 ? queries : plan->looks;
 }
 
 /* Explores with a cache of coverage rows, then computes bounds. The queries
@@ -145,6 +154,7 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
                                   plan->start, desc, err);
     }
     murk_plan_add_work(plan, sight);
+    murk_plan_count_queries(plan, plan->place.queries);
     if (!status) {
         status =
             murk_explore_bound(&plan->place, &plan->explore, &tried.problem,
@@ -161,12 +171,22 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
 #define FORECAST_CANDIDATES 16
 #define FORECAST_SWEEPS     4
 
+/* The memory of a remembered row of the candidate [bytes], about: bits or a
+ * list of photons, with a clarity of two bytes for each if needed
+ * (placement/row.h). */
+static double row_bytes(const murk_sparse_row *row, size_t photons)
+{
+    const double seen = (double)row->seen, all = (double)photons;
+    return row->clarity ? fmin(2 * all, fmin(all / 8 + 2 * seen, 6 * seen))
+                        : fmin(all / 8, 4 * seen);
+}
+
 /* For `method: best` in an unknown environment, with a count of at least 2 and
  * without a target: forecasts the work from the rays and the time of a sample
  * of candidates, for as many starts as are made if no start brings a gain, and
- * prints the forecast beside the work in a known environment. The queries and
- * rays of the sample are not part of the work of the plan
- * (murk_plan_add_work()). */
+ * prints the forecast beside the work in a known environment, unless most rows
+ * can be cached. The looks and rays of the sample are not part of the work
+ * of the plan (murk_plan_add_work()). */
 static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_problem *problem,
                              const murk_place_desc *desc)
@@ -175,6 +195,7 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
     const size_t sample = n < FORECAST_CANDIDATES ? n : FORECAST_CANDIDATES;
     const uint64_t rays = murk_sight_work_of(sight).shadow_rays;
     const double begun_s = murk_clock_s();
+    double bytes = 0;
     /* Other methods, single sensors and targets get no forecast. */
     if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
         return;
@@ -183,9 +204,13 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
     for (size_t k = 0; k < sample; ++k) {
         murk_sparse_row row;
         problem->get_row(problem->context, 0, k * n / sample, &row);
+        bytes += row_bytes(&row, problem->photons) * (double)n / (double)sample;
     }
     plan->forecast_queries = sample;
     plan->forecast_rays = murk_sight_work_of(sight).shadow_rays - rays;
+    if (bytes <= (double)desc->row_memory) {
+        return;
+    }
     /* Scale to all evaluations. */
     const double each = (double)plan->forecast_rays / (double)sample;
     const double each_s =
@@ -197,13 +222,14 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         starts * FORECAST_SWEEPS * (double)desc->count * (double)n;
     murk_note(
         "placement.knowledge",
-        "unknown with method: best computes visibility anew at every "
-        "evaluation: about %.2g visibility queries, %.2g shadow rays and "
-        "%.2g s with %.0f starts (at most %zu are made). knowledge: known "
-        "needs %zu queries (%.2g rays, %.2g s) for a plan that is at least as "
-        "good; method: greedy or spoq, or fewer restarts, take less time",
-        queries, queries * each, queries * each_s, starts, desc->restarts, n,
-        each * (double)n, each_s * (double)n);
+        "unknown with method: best looks again for each row that memory_mb "
+        "does not hold: at most about %.2g visibility queries, %.2g shadow "
+        "rays and %.2g s with %.0f starts (at most %zu are made). memory_mb: "
+        "%.3g holds all rows; then, and with knowledge: known, %zu queries "
+        "(%.2g rays, %.2g s) are looked up, and the plan is as good. method: "
+        "greedy or spoq, or fewer restarts, take less time",
+        queries, queries * each, queries * each_s, starts, desc->restarts,
+        ceil(bytes / BYTES_PER_MB), n, each * (double)n, each_s * (double)n);
 }
 
 /* Chooses the sensors by the method that placement.knowledge asks for. */
@@ -231,13 +257,15 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
         plan->place_s = murk_clock_s() - begun_s;
         return status;
     }
-    /* Unknown environment: rows are computed at each evaluation. */
+    /* Unknown environment: rows that are not cached are computed at each
+     * evaluation. */
     if (stage->scene->placement.knowledge == MURK_SCENE_UNKNOWN) {
         forecast_unknown(plan, sight, &seen.problem, &desc);
         status =
             murk_place_sensors(&plan->place, &seen.problem, NULL, &desc, err);
         plan->place_s = murk_clock_s() - begun_s;
         murk_plan_add_work(plan, sight);
+        murk_plan_count_queries(plan, plan->place.queries);
         return status;
     }
     /* Known environment: build the matrix, then choose. */
@@ -263,6 +291,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     murk_matrix_destroy(matrix);
     plan->place_s = murk_clock_s() - begun_s;
     murk_plan_add_work(plan, sight);
+    murk_plan_count_queries(plan, plan->place.queries);
     return status;
 }
 

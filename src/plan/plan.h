@@ -121,11 +121,13 @@ typedef struct murk_plan_result {
                       the share of photons there that at least so many sensors
                       see; without a target NaN */
     murk_robust robust;
-    double power_radius_m;         /* of detection: power; else 0 */
-    size_t power_neighbours;       /* of detection: power; 0 for a fixed radius
-                                    */
-    uint64_t queries, shadow_rays; /* work of choosing, without that of the
-                                    * forecast */
+    double power_radius_m;   /* of detection: power; else 0 */
+    size_t power_neighbours; /* of detection: power; 0 for a fixed radius
+                              */
+    /* The work of choosing, without that of the forecast: rows that the method
+     * asks for; those of them that were computed, because they were not
+     * remembered; sightlines tested against surfaces. */
+    uint64_t queries, looks, shadow_rays;
     uint64_t forecast_queries, forecast_rays;          /* work of the sample of
                                                         * a forecast */
     uint64_t blocked_by_interfaces, totally_reflected; /* number of sightlines
@@ -162,9 +164,14 @@ murk_status murk_plan_take_sensors(murk_plan_result *plan,
                                    const murk_scene_desc *scene,
                                    murk_error *err);
 
-/* Adds the counters of a sight to the work of choosing, the queries and shadow
- * rays without those of the forecast. */
+/* Adds the counters of a sight to the work of choosing, looks and shadow rays
+ * without those of the forecast. */
 void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight);
+
+/* Sets the queries of the work of choosing, after the counters of all sights
+ * were added: the queries of an unknown environment, or 0 if each look is a
+ * query. */
+void murk_plan_count_queries(murk_plan_result *plan, uint64_t queries);
 
 /* Creates a coverage result of n sensors in which all coverage is NaN. The
  * caller releases *out with murk_coverage_result_release(). Fails with

@@ -125,7 +125,7 @@ static void list_target(murk_results_fields *f, const void *of)
 static void list_placement(murk_results_fields *f, const void *of)
 {
     static const char *const before[] = {"visibility", "through"};
-    static const char *const behind[] = {"queries", "shadow_rays",
+    static const char *const behind[] = {"queries", "looks", "shadow_rays",
                                          "sightlines_blocked_by_interfaces",
                                          "sightlines_totally_reflected"};
     const murk_matrix_plan *p = of;

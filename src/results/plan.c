@@ -177,7 +177,9 @@ static void list_placement(murk_results_fields *f, const void *of)
     MURK_COUNT(f, "restarts", "starts asked for", asked->restarts);
     MURK_COUNT(f, "starts", "starts made", plan->place.restarts);
     MURK_COUNT(f, "evaluations", "of plans", plan->place.evaluations);
-    MURK_COUNT(f, "queries", "of the maps", plan->queries);
+    MURK_COUNT(f, "queries", "of the maps, as the paper counts them",
+               plan->queries);
+    MURK_COUNT(f, "looks", "queries whose row was not remembered", plan->looks);
     MURK_COUNT(f, "shadow_rays", "sightlines followed", plan->shadow_rays);
     MURK_COUNT(f, "sightlines_blocked_by_interfaces",
                "sightlines that end at an interface",

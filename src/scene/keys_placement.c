@@ -50,6 +50,8 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("knowledge", WORD, .preset = "known", PLAN(knowledge),
         WORDS({"known", MURK_SCENE_KNOWN}, {"unknown", MURK_SCENE_UNKNOWN},
               {"explore", MURK_SCENE_EXPLORE})),
+    ROW("memory_mb", NUMBER, .max = 1e9, .unit = "MiB", .preset = "1024",
+        PLAN(memory_mb)),
     ROW("start_m", VECTOR, PLACE_M, PLAN(start),
         FLAG(murk_scene_placement, has_start)),
     ROW("restarts", COUNT, .min = 1, .max = 1e6, .preset = "200",

@@ -432,7 +432,8 @@ typedef struct murk_scene_placement {
     bool has_start;
     murk_vec3 start; /* explore: the first position */
     uint64_t restarts, nodes;
-    bool balanced; /* weights: balanced; false: the two weights below */
+    double memory_mb; /* unknown: MiB of remembered rows */
+    bool balanced;    /* weights: balanced; false: the two weights below */
     double weight_surface, weight_volume;
     murk_scene_interest *interest; /* at most 64 */
     size_t n_interests;

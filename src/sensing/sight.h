@@ -143,6 +143,13 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
 
+/* The same for the photons that are needed; false, without a row, if the row
+ * was given up (murk_problem.get_part). Sightlines to other photons are not
+ * tested.
+ */
+bool murk_sight_part(murk_sight *sight, unsigned worker, const murk_pose *pose,
+                     const murk_row_need *need, murk_sparse_row *row);
+
 /* Optical depths along straight sightlines, unrounded. photon[n] are numbers as
  * in a row of the sensor at `pose`. depth[i * count + m] becomes the optical
  * depth in media[m] of the sightline to photon[i], in the band of that photon;

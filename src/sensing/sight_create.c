@@ -290,6 +290,13 @@ static void get_row(void *context, unsigned worker, size_t candidate,
     murk_sight_row(p->sight, worker, &p->pose[candidate], out);
 }
 
+static bool get_part(void *context, unsigned worker, size_t candidate,
+                     const murk_row_need *need, murk_sparse_row *out)
+{
+    const murk_sight_problem *p = context;
+    return murk_sight_part(p->sight, worker, &p->pose[candidate], need, out);
+}
+
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_pose *pose, size_t n)
 {
@@ -299,6 +306,7 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                                   .candidates = n,
                                   .weight = sight->weight,
                                   .get_row = get_row,
+                                  .get_part = get_part,
                                   .context = out,
                                   .threads = sight->desc.threads,
                                   .combining = sight->desc.combining,

@@ -3,6 +3,8 @@
  * sightlines against surfaces in blocks, and computes the clarity. Sightlines
  * across an interface are found by sensing/across.h. murk_sight_row() writes to
  * the scratch buffers of the worker and to the counters of the sight only.
+ * murk_sight_part() selects the needed photons of both maps first, and gives up
+ * as soon as those that may still be visible add too little.
  * murk_sight_depths() computes the optical depths along sightlines with the
  * same routines, without rounding. */
 #include "sensing/across.h"
@@ -14,6 +16,11 @@
 /* Sightlines tested together: neighbours in a map that end at one sensor.
  * Bigger blocks no longer gain; the arrays stay on the stack. */
 #define BLOCK 2048
+
+/* Sightlines of a part of a row that are tested before it is decided whether
+ * the row is given up. Smaller blocks end earlier, and recognise fewer surfaces
+ * that hide several photons (a choice). */
+#define BLOCK_OF_PART 256
 
 /* The state of the search for one row. */
 typedef struct row_search {
@@ -201,6 +208,26 @@ static void add_across(row_search *l, const murk_photon *p,
     }
 }
 
+/* The end of the sightline to a photon, in *from; false if the filters of the
+ * type reject the photon or the normal does not face the sensor. */
+static bool find_start(const row_search *l, const murk_photon *p,
+                       murk_vec3 sensor, murk_side sides[MURK_SIDES],
+                       murk_vec3 *from)
+{
+    const murk_vec3 at = murk_photon_place(p);
+    *from = at;
+    if (l->has_filter && !is_detectable(l, p, at, sensor)) {
+        return false;
+    }
+    if (murk_photon_is_volume(p)) {
+        return true;
+    }
+    const murk_side *facing = murk_side_recall(sides, l->sight->desc.surfaces,
+                                               murk_photon_packed_normal(p));
+    *from = murk_add(at, facing->off);
+    return murk_side_faces(facing, at, sensor, l->sight->position_error_m);
+}
+
 static void search_map(row_search *l, const murk_photon_map *map,
                        uint32_t first)
 {
@@ -217,7 +244,7 @@ static void search_map(row_search *l, const murk_photon_map *map,
     /* Filter the photons, and test those that remain in blocks. */
     for (size_t i = 0; i < n; ++i) {
         const murk_photon *p = &photon[found[i]];
-        murk_vec3 at = murk_photon_place(p);
+        const murk_vec3 at = murk_photon_place(p);
         const murk_vec3 sensor =
             is_periodic ? murk_path_nearest_image(&desc->domain, l->sensor, at)
                         : l->sensor;
@@ -239,20 +266,9 @@ static void search_map(row_search *l, const murk_photon_map *map,
                 continue;
             }
         }
-        if (l->has_filter && !is_detectable(l, p, at, sensor)) {
+        if (!find_start(l, p, sensor, sides, &from[filled])) {
             continue;
         }
-        /* The normal of a surface photon must face the sensor. */
-        if (!murk_photon_is_volume(p)) {
-            const murk_side *facing = murk_side_recall(
-                sides, desc->surfaces, murk_photon_packed_normal(p));
-            if (!murk_side_faces(facing, at, sensor,
-                                 l->sight->position_error_m)) {
-                continue;
-            }
-            at = murk_add(at, facing->off);
-        }
-        from[filled] = at;
         number[filled++] = found[i];
         if (filled == BLOCK) {
             add_visible(l, photon, first, number, from, filled);
@@ -262,8 +278,9 @@ static void search_map(row_search *l, const murk_photon_map *map,
     add_visible(l, photon, first, number, from, filled);
 }
 
-void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
-                    murk_sparse_row *out)
+/* Begins the search for the row of a sensor; the caller sets the viewpoint. */
+static row_search begin(murk_sight *sight, unsigned worker,
+                        const murk_pose *pose)
 {
     assert(worker < sight->desc.threads && pose->type < sight->desc.types);
     const murk_sight_desc *desc = &sight->desc;
@@ -271,7 +288,9 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
     const double range_m = fmin(type->range_m, sight->max_m);
     const murk_scratch *s = &sight->worker[worker];
     const murk_media *accepting = sight->accepting[pose->type];
-    row_search l = {
+    murk_tally_add(&sight->queries, 1);
+    /* The row goes to the scratch buffers of the worker. */
+    return (row_search){
         .sight = sight,
         .sensor = pose->position,
         .range_m = range_m,
@@ -287,6 +306,19 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
         .photon = s->photon,
         .clarity = s->clarity,
         .is_binary = true};
+}
+
+static murk_sparse_row found_row(const row_search *l)
+{
+    return (murk_sparse_row){l->seen, l->photon,
+                             l->is_binary ? NULL : l->clarity};
+}
+
+void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
+                    murk_sparse_row *out)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    row_search l = begin(sight, worker, pose);
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {
@@ -294,16 +326,118 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
          * distance. Their apparent distance is therefore limited by
          * type->range_m, which may be infinite, and only the real distance of a
          * query is limited by sight->max_m, which exceeds all of the domain. */
-        l.across = (murk_across){sight, &l.viewpoint, &l.field, type->range_m};
+        l.across =
+            (murk_across){sight, &l.viewpoint, &l.field, l.type->range_m};
         l.query_m = fmin(sight->max_m,
                          murk_refracted_paths_range(
-                             sight->interfaces, &l.viewpoint, type->range_m));
+                             sight->interfaces, &l.viewpoint, l.type->range_m));
     }
-    murk_tally_add(&sight->queries, 1);
     search_map(&l, desc->surface_map, 0);
     search_map(&l, desc->volume_map,
                (uint32_t)murk_photon_map_count(desc->surface_map));
-    *out = (murk_sparse_row){l.seen, l.photon, l.is_binary ? NULL : l.clarity};
+    *out = found_row(&l);
+}
+
+/* ---- parts of rows ---- */
+
+/* Writes the numbers of the needed photons of a map that pass the filters to
+ * selected[], and adds to *max the amounts by which they can increase the
+ * value. Returns the number of photons. */
+static size_t select_needed(const row_search *l, const murk_photon_map *map,
+                            const uint64_t *need, uint32_t *selected,
+                            uint64_t *max)
+{
+    const murk_domain *domain = &l->sight->desc.domain;
+    const murk_photon *photon = murk_photon_map_photons(map);
+    const size_t n =
+        murk_photons_nearby(map, domain, l->sensor, l->query_m, selected);
+    murk_side sides[MURK_SIDES] = {{0}};
+    size_t count = 0;
+    /* Compact the numbers in place. */
+    for (size_t i = 0; i < n; ++i) {
+        const uint32_t k = selected[i];
+        if (need[k] == 0) {
+            continue;
+        }
+        const murk_vec3 sensor =
+            domain->is_periodic
+                ? murk_path_nearest_image(domain, l->sensor,
+                                          murk_photon_place(&photon[k]))
+                : l->sensor;
+        murk_vec3 from;
+        if (find_start(l, &photon[k], sensor, sides, &from)) {
+            selected[count++] = k;
+            *max += need[k];
+        }
+    }
+    return count;
+}
+
+/* Tests the sightlines to the n selected photons of a map. Subtracts from *max
+ * the amounts of photons that are not visible. False if *max falls below
+ * `min`. As in add_visible(), the row is written over the selected numbers.
+ */
+static bool test_selected(row_search *l, const murk_photon_map *map,
+                          uint32_t first, const uint64_t *need, uint64_t min,
+                          const uint32_t *selected, size_t n, uint64_t *max)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    murk_vec3 from[BLOCK_OF_PART];
+    uint32_t number[BLOCK_OF_PART];
+    murk_side sides[MURK_SIDES] = {{0}};
+    for (size_t begin_at = 0; begin_at < n; begin_at += BLOCK_OF_PART) {
+        const size_t left = n - begin_at,
+                     filled = left < BLOCK_OF_PART ? left : BLOCK_OF_PART;
+        for (size_t i = 0; i < filled; ++i) {
+            const murk_side *side;
+            number[i] = selected[begin_at + i];
+            from[i] = murk_side_start(&photon[number[i]],
+                                      l->sight->desc.surfaces, sides, &side);
+            *max -= need[number[i]];
+        }
+        /* The visible ones of the block remain possible. */
+        const size_t before = l->seen;
+        add_visible(l, photon, first, number, from, filled);
+        for (size_t i = before; i < l->seen; ++i) {
+            *max += need[l->photon[i] - first];
+        }
+        if (*max < min) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool murk_sight_part(murk_sight *sight, unsigned worker, const murk_pose *pose,
+                     const murk_row_need *need, murk_sparse_row *out)
+{
+    /* Refracted sightlines are not foretold. */
+    if (sight->interfaces) {
+        murk_sight_row(sight, worker, pose, out);
+        return true;
+    }
+    /* Select photons of both maps, then test their sightlines. */
+    const murk_photon_map *surface_map = sight->desc.surface_map,
+                          *volume_map = sight->desc.volume_map;
+    const uint32_t first = (uint32_t)murk_photon_map_count(surface_map);
+    row_search l = begin(sight, worker, pose);
+    uint64_t max = 0;
+    const size_t surface =
+        select_needed(&l, surface_map, need->entry_max, l.photon, &max);
+    const uint32_t *selected = l.photon + surface;
+    const size_t volume = select_needed(&l, volume_map, need->entry_max + first,
+                                        l.photon + surface, &max);
+    if (max < need->gain_min) {
+        return false;
+    }
+    l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
+    const bool is_complete =
+        test_selected(&l, surface_map, 0, need->entry_max, need->gain_min,
+                      l.photon, surface, &max) &&
+        test_selected(&l, volume_map, first, need->entry_max + first,
+                      need->gain_min, selected, volume, &max);
+    *out = found_row(&l);
+    return is_complete;
 }
 
 void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,

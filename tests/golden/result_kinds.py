@@ -131,7 +131,7 @@ PLAN = HEAD | SUMMARY | LIGHT | SENSORS | ROBUST | {
     "placement": {"method": one_of("best"), "detection": one_of("weighted"),
                   "visibility": one_of("ray"), "through": one_of("thin"),
                   "knowledge": one_of("known"), "restarts": count,
-                  "evaluations": whole(1), "queries": whole(1),
+                  "evaluations": whole(1), "queries": whole(1), "looks": whole(1),
                   "shadow_rays": whole(1), "cut_by": null}}
 COVERAGE = HEAD | SUMMARY | LIGHT | SENSORS | ROBUST | {
     "coverage": {"in_sample": fraction, "standard_error": number(1e-9, 1),

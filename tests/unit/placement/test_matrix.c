@@ -79,8 +79,8 @@ static void check_bounds_stop(made_up *m, murk_matrix *matrix)
     murk_worst_bound worst;
     murk_error err = {0};
     uint64_t upper = MURK_SHARE_ONE;
-    CHECK(!murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, true,
-                               &err));
+    CHECK(!murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, 0,
+                               true, &err));
     CHECK(!murk_bound_init(&bound, &evaluator, &err));
     CHECK(!murk_block_layouts_init(&layouts, &evaluator, &blocks, &err));
     CHECK(!murk_worst_bound_init(&worst, &layouts, &err));

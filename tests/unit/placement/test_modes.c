@@ -134,7 +134,7 @@ static void check_multipliers(const made_up *m, uint32_t seed, int *too_low)
     murk_cover stand;
     murk_error err = {0};
     const murk_layout *layout = &matrix->layout;
-    CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, true,
+    CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, 0, true,
                               &err) == MURK_OK);
     CHECK(murk_multipliers_init(&t, &evaluator, &err) == MURK_OK);
     CHECK(murk_cover_init(&stand, layout, false));
@@ -209,7 +209,7 @@ static void test_slopes(uint32_t seed)
         murk_multipliers t;
         murk_cover stand;
         murk_error err = {0};
-        CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3,
+        CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 3, 0,
                                   true, &err) == MURK_OK);
         CHECK(murk_multipliers_init(&t, &evaluator, &err) == MURK_OK);
         CHECK(murk_cover_init(&stand, layout, false));

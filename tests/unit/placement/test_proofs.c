@@ -109,8 +109,8 @@ static void prove_from(const made_up *m, const ranked_plan *from, size_t rounds,
     const size_t n = members_of(from->set, plan);
     CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
           MURK_OK);
-    CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, n, false,
-                              &err) == MURK_OK);
+    CHECK(murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, n, 0,
+                              false, &err) == MURK_OK);
     CHECK(murk_bound_init(&bound, &evaluator, &err) == MURK_OK);
     const uint64_t upper =
         murk_bound_tighten(&bound, n, from->value, plan, n, rounds);

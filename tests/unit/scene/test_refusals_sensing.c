@@ -173,6 +173,8 @@ static const refusal REFUSALS[] = {
      "fog.yaml:2:23: placement.jitter_m", "-0.1, must be 0..1e9 m"},
     {"placement: {jitter_deg: 181}\n", VALUE,
      "fog.yaml:2:25: placement.jitter_deg", "181, must be 0..180 degrees"},
+    {"placement: {memory_mb: -1}\n", VALUE,
+     "fog.yaml:2:24: placement.memory_mb", "-1, must be 0..1e9 MiB"},
     {"placement: {jitter_draws: 1}\n", VALUE,
      "fog.yaml:2:27: placement.jitter_draws", "1, must be 2..1e6"},
     {"placement: {restarts: 0}\n", VALUE, "fog.yaml:2:23: placement.restarts",

@@ -90,6 +90,72 @@ static void test_agrees_with_the_plain_twin(void)
     }
 }
 
+/* A part of a row has the needed entries of the row, in the same order, and
+ * perhaps others. It is given up only if the entries of the row add less than
+ * the least amount, and then always. In clear air and in mist, with a view of
+ * half a sphere, and in a periodic domain. */
+static void test_parts_have_the_needed_entries(void)
+{
+    static murk_photon photon[MANY];
+    static uint64_t entry_max[MANY];
+    scatter(photon, 9);
+    const murk_surface_desc d =
+        a_box(murk_vec(4.2, 3.1, 0.1), murk_vec(6.3, 5.2, 2.4));
+    const murk_sensor_type type = all_round(6.1);
+    size_t given_up = 0, left_out = 0;
+    for (int k = 0; k < 4; ++k) {
+        murk_domain domain = hall;
+        domain.is_periodic = k / 2;
+        murk_sight_desc desc = plain(&domain);
+        desc.type = &type;
+        murk_media *media =
+            k % 2 ? mist(&domain, 0.2, 0.9) : clear_air(&domain);
+        world w = build(&d, 1, media, photon, MANY, desc);
+        for (uint32_t s = 0; s < 12; ++s) {
+            const murk_random4 r = murk_random(7, MURK_TEST, 0, 1, s);
+            const murk_vec3 sensor = {0.1 + 9.8 * r.u[0], 0.1 + 7.8 * r.u[1],
+                                      2.5 + 1.4 * r.u[2]};
+            /* The whole row, and what the needed entries add at most. */
+            murk_sparse_row whole, part;
+            murk_sight_row(w.sight, 1, partial_at(&sensor, 1), &whole);
+            for (uint32_t i = 0; i < MANY; ++i) {
+                const murk_random4 q = murk_random(8, MURK_TEST, i, 1, s);
+                entry_max[i] = q.u[0] < 0.7 ? 0 : (uint64_t)(1000 * q.u[1]);
+            }
+            uint64_t sum = 0;
+            for (size_t i = 0; i < whole.seen; ++i) {
+                sum += entry_max[whole.photon[i]];
+            }
+            /* One step more than the sum may be given up, and nothing else. */
+            const murk_row_need need = {entry_max,
+                                        s % 3 == 0 ? 0 : sum + s % 3 - 1};
+            if (!murk_sight_part(w.sight, 0, partial_at(&sensor, 1), &need,
+                                 &part)) {
+                CHECK(need.gain_min > sum);
+                ++given_up;
+                continue;
+            }
+            CHECK(need.gain_min <= sum);
+            size_t at = 0;
+            for (size_t i = 0; i < whole.seen; ++i) {
+                while (at < part.seen && part.photon[at] < whole.photon[i]) {
+                    ++at;
+                }
+                const bool is_there =
+                    at < part.seen && part.photon[at] == whole.photon[i];
+                CHECK(is_there || entry_max[whole.photon[i]] == 0);
+                CHECK(!is_there ||
+                      (part.clarity ? part.clarity[at] : MURK_CLEAR) ==
+                          (whole.clarity ? whole.clarity[i] : MURK_CLEAR));
+                left_out += !is_there;
+            }
+            CHECK(part.seen <= whole.seen);
+        }
+        tear_down(&w);
+    }
+    CHECK(given_up > 0 && left_out > MANY);
+}
+
 /* What looks rely on: the step off a surface depends on its normal alone. */
 static void test_the_step_off_is_the_same_everywhere(void)
 {
@@ -209,6 +275,7 @@ static void test_periodic_photons_are_found_once(void)
 int main(void)
 {
     test_agrees_with_the_plain_twin();
+    test_parts_have_the_needed_entries();
     test_the_step_off_is_the_same_everywhere();
     test_no_extinction_is_clear_air();
     test_periodic_sightlines_go_to_the_nearest_image();
