@@ -1,11 +1,13 @@
 /* Reads and writes whole files. A file is written under a temporary name
  * (base/staging.c), flushed to the disk and renamed, so that a crash leaves
  * either the old file or the complete new one. Checksums are XXH3 (xxHash) and
- * SHA-256 (libmd). */
+ * SHA-256 (libmd, with the SHA instructions of the processor for whole blocks
+ * of files). */
 #include "base/file.h"
 
 #include "base/inputs.h"
 #include "base/memory_files.h"
+#include "base/sha256_blocks.h"
 #include "base/staging.h"
 
 #include <errno.h>
@@ -467,9 +469,20 @@ murk_status murk_file_checksum_own(const char *path, uint64_t max,
     return checksum(path, max, out, OWN, err);
 }
 
+/* Whole blocks go to the SHA instructions, if the machine has them and no part
+ * of a block waits in the state; libmd takes the rest, and the padding. */
 static void take_sha256(void *context, const void *bytes, size_t size)
 {
-    SHA256Update(context, bytes, size);
+    SHA2_CTX *state = context;
+    size_t done = 0;
+    if (state->bitcount[0] / 8 % SHA256_BLOCK_LENGTH == 0 &&
+        murk_sha256_has_blocks()) {
+        const size_t blocks = size / SHA256_BLOCK_LENGTH;
+        murk_sha256_blocks(state->state.st32, bytes, blocks);
+        done = blocks * SHA256_BLOCK_LENGTH;
+        state->bitcount[0] += 8 * (uint64_t)done;
+    }
+    SHA256Update(state, (const unsigned char *)bytes + done, size - done);
 }
 
 murk_status murk_file_sha256(const char *path, char out[65], murk_error *err)

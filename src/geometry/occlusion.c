@@ -176,7 +176,9 @@ typedef struct occlusion_cache {
                              cost little */
 } occlusion_cache;
 
-/* True if the point is inside one of the cached shadows. */
+/* True if the point is inside one of the cached shadows. All planes are
+ * computed, because a branch after each plane is hard to predict and costs more
+ * than the planes that it saves. */
 static inline bool is_occluded_by_cached(const occlusion_cache *cache,
                                          murk_vec3 p)
 {
@@ -185,18 +187,17 @@ static inline bool is_occluded_by_cached(const occlusion_cache *cache,
         inside[k] = -1;
     }
     for (int i = 0; i < 4; ++i) {
-        int64_t any = 0;
         for (int k = 0; k < SHADOWS; ++k) {
             const double height = cache->x[i][k] * p.x + cache->y[i][k] * p.y +
                                   cache->z[i][k] * p.z;
             inside[k] &= height + cache->offset[i][k] > 0 ? -1 : 0;
-            any |= inside[k];
-        }
-        if (!any) {
-            return false;
         }
     }
-    return true;
+    int64_t any = 0;
+    for (int k = 0; k < SHADOWS; ++k) {
+        any |= inside[k];
+    }
+    return any != 0;
 }
 
 /* Adds the shadow of the reported occluder to the cache. */

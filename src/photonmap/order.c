@@ -14,6 +14,10 @@
 #include <math.h>
 #include <string.h>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 /* Ranges of up to this size are sorted by insertion, which is faster for them.
  */
 #define SMALL 24
@@ -170,10 +174,26 @@ void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
     sort_small(photons, n, axis);
 }
 
-static int widest_axis(const murk_photon *photons, size_t n)
+/* Computes the bounding box of the positions: min and max by axis. */
+static void bound(const murk_photon *photons, size_t n, float min[4],
+                  float max[4])
 {
-    float min[3] = {FLT_MAX, FLT_MAX, FLT_MAX};
-    float max[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+#if defined(__SSE2__)
+    /* The fourth lane is the next member of the record, read as a number: it
+     * meets no other lane, and is not used. */
+    __m128 low = _mm_set1_ps(FLT_MAX), high = _mm_set1_ps(-FLT_MAX);
+    for (size_t i = 0; i < n; ++i) {
+        const __m128 x = _mm_loadu_ps(photons[i].position_m);
+        low = _mm_min_ps(x, low);
+        high = _mm_max_ps(x, high);
+    }
+    _mm_storeu_ps(min, low);
+    _mm_storeu_ps(max, high);
+#else
+    for (int a = 0; a < 3; ++a) {
+        min[a] = FLT_MAX;
+        max[a] = -FLT_MAX;
+    }
     for (size_t i = 0; i < n; ++i) {
         for (int a = 0; a < 3; ++a) {
             const float x = photons[i].position_m[a];
@@ -181,6 +201,13 @@ static int widest_axis(const murk_photon *photons, size_t n)
             max[a] = x > max[a] ? x : max[a];
         }
     }
+#endif
+}
+
+static int widest_axis(const murk_photon *photons, size_t n)
+{
+    float min[4], max[4];
+    bound(photons, n, min, max);
     int axis = 0;
     for (int a = 1; a < 3; ++a) {
         if (max[a] - min[a] > max[axis] - min[axis]) {

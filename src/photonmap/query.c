@@ -1,13 +1,16 @@
 /* Queries of a photon map: all photons within a ball, and the k nearest
  * photons. Both descend through groups of sixteen bounding boxes. A ball query
  * finds all photons of a box that lies completely within the ball without
- * testing each photon; the k-nearest query visits the boxes of each group in
- * order of distance and keeps the nearest photons in a heap. */
+ * testing each photon, and fetches the memory of the next box while one is
+ * searched; the k-nearest query visits the boxes of each group in order of
+ * distance and keeps the nearest photons in a heap. */
 #include "photonmap/map.h"
 #include "photonmap/tree.h"
 
 #include <assert.h>
 #include <float.h>
+
+#define CACHE_LINE 64 /* bytes, of most processors */
 
 /* ---- within a ball ---- */
 
@@ -18,14 +21,24 @@ typedef struct ball_query {
     size_t n;        /* found so far */
 } ball_query;
 
+/* Adds the records first to end - 1. Runs are written in pieces of a fixed
+ * length, for which compilers use vector instructions. */
 static void add_run(ball_query *q, size_t first, size_t end)
 {
+    const size_t n = end - first;
     if (q->found) {
-        for (size_t i = first; i < end; ++i) {
-            q->found[q->n + (i - first)] = (uint32_t)i;
+        uint32_t *out = q->found + q->n;
+        size_t i = 0;
+        for (; i + MURK_LEAF <= n; i += MURK_LEAF) {
+            for (size_t k = 0; k < MURK_LEAF; ++k) {
+                out[i + k] = (uint32_t)first + (uint32_t)(i + k);
+            }
+        }
+        for (; i < n; ++i) {
+            out[i] = (uint32_t)(first + i);
         }
     }
-    q->n += end - first;
+    q->n += n;
 }
 
 static void add_leaf(ball_query *q, size_t leaf)
@@ -43,15 +56,38 @@ static void add_leaf(ball_query *q, size_t leaf)
     }
 }
 
+/* Asks the processor to fetch the memory that a search of the box will read:
+ * the records of a leaf, or the boxes of the level below. The last leaf may be
+ * shorter; to ask for memory behind it does no harm. */
+static void prefetch(const murk_photon_map *map, unsigned level, size_t box)
+{
+    const char *memory = level == 0
+                             ? (const char *)(map->photons + box * MURK_LEAF)
+                             : (const char *)(map->bounds[level - 1] + box);
+    const size_t bytes =
+        level == 0 ? MURK_LEAF * sizeof *map->photons : sizeof *map->memory;
+    for (size_t i = 0; i < bytes; i += CACHE_LINE) {
+        __builtin_prefetch(memory + i);
+    }
+}
+
 static void search_group(ball_query *q, unsigned level, size_t group)
 {
     const murk_photon_map *map = q->map;
     uint32_t whole;
     uint32_t met =
         map->test->bounds(map->bounds[level] + group, &q->ball, &whole);
-    for (; met; met &= met - 1) {
+    while (met) {
         const unsigned i = (unsigned)__builtin_ctz(met);
         const size_t box = group * MURK_WIDE + i;
+        met &= met - 1;
+        /* Fetch the next box that must be searched while this one is
+         * searched. */
+        const uint32_t next = met & ~whole;
+        if (next) {
+            prefetch(map, level,
+                     group * MURK_WIDE + (unsigned)__builtin_ctz(next));
+        }
         if (whole >> i & 1) {
             add_run(q, murk_first_of(map, level, box),
                     murk_first_of(map, level, box + 1));

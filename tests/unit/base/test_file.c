@@ -117,6 +117,31 @@ static void test_sha256(void)
                     "20015ad");
 }
 
+/* The hash of a file, for which the SHA instructions of the processor may be
+ * used, is that of libmd for the same bytes: lengths around a block of 64
+ * bytes, and around the pieces of 2^20 bytes that are read at once. */
+static void test_sha256_of_a_file(const char *path)
+{
+    static unsigned char bytes[(1 << 21) + 65];
+    for (size_t i = 0; i < sizeof bytes; ++i) {
+        bytes[i] = (unsigned char)(i * i / 7 + i % 251);
+    }
+    const size_t lengths[] = {
+        0,           1, 55, 56, 63, 64, 65, 127, 128, 1 << 20, (1 << 20) + 1,
+        sizeof bytes};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; ++i) {
+        murk_file *file = NULL;
+        char of_file[65], of_bytes[65];
+        CHECK(murk_file_create(&file, path, NULL) == MURK_OK);
+        CHECK(fwrite(bytes, 1, lengths[i], murk_file_stream(file)) ==
+              lengths[i]);
+        CHECK(murk_file_commit(&file, NULL) == MURK_OK);
+        CHECK(murk_file_sha256(path, of_file, NULL) == MURK_OK);
+        murk_sha256_hex(bytes, lengths[i], of_bytes);
+        CHECK_TEXT(of_file, of_bytes);
+    }
+}
+
 int main(void)
 {
     CHECK(mkdtemp(folder) != NULL);
@@ -126,6 +151,7 @@ int main(void)
     test_refusals(path);
     test_folders_and_paths();
     test_sha256();
+    test_sha256_of_a_file(path);
     char command[160];
     snprintf(command, sizeof command, "rm -r %s", folder);
     CHECK(system(command) == 0);

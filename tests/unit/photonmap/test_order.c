@@ -2,6 +2,7 @@
  * selections. Work is counted in seconds only against hanging: each case needs
  * some milliseconds, a quadratic one minutes, and ctest's limit ends those. */
 #include "check.h"
+#include "plain_order.h"
 #include "sets.h"
 
 #include "photonmap/order.h"
@@ -57,6 +58,35 @@ static void test_select_puts_the_right_record_in_place(void)
         CHECK(is_split);
         free(photons);
         free(sorted);
+    }
+}
+
+/* Against the definition, for numbers of records around whole leaves and whole
+ * trees, some below and some above the limit for several threads; directions
+ * are any bits. */
+static void test_order_is_the_defined_one(void)
+{
+    const size_t numbers[] = {1, 31, 32, 33, 65, 1000, 1025, 9000};
+    for (int set = 0; set < PHOTON_SETS; ++set) {
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
+            const size_t n = numbers[i];
+            murk_photon *photons = make_photons((photon_set)set, n, 3);
+            for (size_t k = 0; k < n; ++k) {
+                photons[k].direction = (uint32_t)k * UINT32_C(2654435769);
+            }
+            murk_photon *plain = malloc(n * sizeof *plain);
+            CHECK(plain != NULL);
+            memcpy(plain, photons, n * sizeof *plain);
+            size_t leaves = 1;
+            while (leaves * MURK_LEAF < n) {
+                leaves *= 2;
+            }
+            plain_order(plain, n, leaves);
+            CHECK(murk_order(photons, n, 2));
+            CHECK(memcmp(photons, plain, n * sizeof *plain) == 0);
+            free(plain);
+            free(photons);
+        }
     }
 }
 
@@ -124,6 +154,7 @@ int main(void)
 {
     test_sort_sorts();
     test_select_puts_the_right_record_in_place();
+    test_order_is_the_defined_one();
     test_odd_arrangements_take_no_longer();
     test_a_million_copies();
     return check_done();
