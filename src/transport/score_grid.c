@@ -2,8 +2,10 @@
  * of the segment within the cell, times the quanta of the photon and the grid's
  * per_m. Parts of the segment outside of the grid do not count.
  *
- * A segment with both ends in one cell is scored at once. Any other is followed
- * from cell to cell by the traversal of Amanatides and Woo (Eurographics 1987,
+ * A segment with both ends in one cell is scored at once. A segment with both
+ * ends in the grid crosses a number of faces that is known from the two cells.
+ * Any other is clipped to the grid. Both are followed from cell to cell by the
+ * traversal of Amanatides and Woo (Eurographics 1987,
  * doi:10.2312/egtp.19871000), always through the nearest face ahead. The
  * distance of each face is computed from the integer index of the face, so that
  * rounding errors do not accumulate. The piece in a cell begins at the distance
@@ -84,25 +86,66 @@ static void cross_cells(murk_score_path *path, const murk_lattice *lattice,
     }
 }
 
-/* True if both ends of the segment are in one cell, as for most segments in
- * dense media; then *cell is that cell. */
-static inline bool stays(const murk_lattice *lattice, const double at[3],
-                         const double pace[3], double length_m, uint32_t *cell)
+/* The cell of a coordinate in cells, if it lies in the grid. */
+static inline bool cell_of(double at, uint32_t size, int64_t *cell)
 {
-    int64_t i[3];
-    for (int a = 0; a < 3; ++a) {
-        const double end = at[a] + pace[a] * length_m;
-        if (!(at[a] >= 0 && at[a] < (double)lattice->size[a] && end >= 0 &&
-              end < (double)lattice->size[a])) {
-            return false;
-        }
-        i[a] = (int64_t)at[a];
-        if (i[a] != (int64_t)end) {
-            return false;
-        }
+    *cell = (int64_t)at;
+    return at >= 0 && at < (double)size;
+}
+
+/* One axis of a segment that begins and ends in the grid. */
+typedef struct axis_faces {
+    double at, per_pace;  /* as in axis_walk */
+    double face, step;    /* the face ahead, and the step to the next, +1, -1 */
+    double next_m;        /* to the face ahead; INFINITY beyond the last one */
+    int64_t stride, left; /* faces that are still to cross */
+} axis_faces;
+
+static inline axis_faces axis_faces_of(double at, double pace, int64_t from,
+                                       int64_t to, uint32_t stride)
+{
+    const bool is_up = to > from;
+    axis_faces f = {.at = at,
+                    .per_pace = 1 / pace,
+                    .face = (double)(is_up ? from + 1 : from),
+                    .step = is_up ? 1 : -1,
+                    .next_m = INFINITY,
+                    .stride = is_up ? (int64_t)stride : -(int64_t)stride,
+                    .left = is_up ? to - from : from - to};
+    if (f.left > 0) {
+        f.next_m = (f.face - at) * f.per_pace;
     }
-    *cell = cell_at(lattice, i[0], i[1], i[2]);
-    return true;
+    return f;
+}
+
+/* Scores a segment from cell to cell, both in the grid. The number of faces
+ * that the segment crosses is known in advance, so the way is not clipped to
+ * the grid and cannot leave it. */
+static void cross_faces(murk_score_path *path, axis_faces f[3], int64_t cell,
+                        double length_m, double quanta_per_m)
+{
+    double t = 0;
+    for (int64_t n = f[0].left + f[1].left + f[2].left; n > 0; --n) {
+        /* The face that the segment meets next. */
+        const int nearest = f[0].next_m < f[1].next_m
+                                ? (f[0].next_m < f[2].next_m ? 0 : 2)
+                                : (f[1].next_m < f[2].next_m ? 1 : 2);
+        axis_faces *const ahead = &f[nearest];
+        const double until =
+            ahead->next_m < length_m ? ahead->next_m : length_m;
+        /* Score the length up to the face, then enter the next cell. */
+        if (until > t) {
+            murk_score_add(path, (uint32_t)cell, (until - t) * quanta_per_m);
+            t = until;
+        }
+        cell += ahead->stride;
+        ahead->face += ahead->step;
+        --ahead->left;
+        ahead->next_m = ahead->left > 0
+                            ? (ahead->face - ahead->at) * ahead->per_pace
+                            : INFINITY;
+    }
+    murk_score_add(path, (uint32_t)cell, (length_m - t) * quanta_per_m);
 }
 
 void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
@@ -111,16 +154,31 @@ void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
 {
     /* The start and the direction in units of cells. */
     const double *const k = lattice->cells_per_m;
+    const uint32_t *const n = lattice->size;
     const double at[3] = {(from.x - lattice->box.min.x) * k[0],
                           (from.y - lattice->box.min.y) * k[1],
                           (from.z - lattice->box.min.z) * k[2]};
     const double pace[3] = {direction.x * k[0], direction.y * k[1],
                             direction.z * k[2]};
     const double quanta_per_m = quanta * lattice->per_m;
-    /* Most steps in dense media stay in one cell. */
-    uint32_t cell;
-    if (stays(lattice, at, pace, length_m, &cell)) {
-        murk_score_add(path, cell, length_m * quanta_per_m);
+    /* Most segments begin and end in the grid. */
+    int64_t first[3], last[3];
+    bool is_within = true;
+    for (int a = 0; a < 3; ++a) {
+        is_within = is_within && cell_of(at[a], n[a], &first[a]) &&
+                    cell_of(at[a] + pace[a] * length_m, n[a], &last[a]);
+    }
+    if (is_within) {
+        const uint32_t cell = cell_at(lattice, first[0], first[1], first[2]);
+        if (first[0] == last[0] && first[1] == last[1] && first[2] == last[2]) {
+            murk_score_add(path, cell, length_m * quanta_per_m);
+            return;
+        }
+        axis_faces f[3] = {
+            axis_faces_of(at[0], pace[0], first[0], last[0], 1),
+            axis_faces_of(at[1], pace[1], first[1], last[1], n[0]),
+            axis_faces_of(at[2], pace[2], first[2], last[2], n[0] * n[1])};
+        cross_faces(path, f, cell, length_m, quanta_per_m);
         return;
     }
     /* Else from face to face through the part of the segment that lies in the
@@ -129,7 +187,6 @@ void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
     if (!murk_box_clip(&lattice->box, from, direction, &begin_m, &end_m)) {
         return;
     }
-    const uint32_t *const n = lattice->size;
     axis_walk w[3] = {axis_walk_of(at[0], pace[0], begin_m, n[0], 1),
                       axis_walk_of(at[1], pace[1], begin_m, n[1], n[0]),
                       axis_walk_of(at[2], pace[2], begin_m, n[2], n[0] * n[1])};
