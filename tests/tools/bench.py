@@ -61,6 +61,13 @@ code, verdicts, text = compared(old, new)
 check(code == 1, "exit 1 when a ratio got worse")
 check(verdicts == {"slow": "worse", "fast": "better", "same": "within the spread", "near": "within the spread"}, text)
 check("8 ratios compared, 1 worse, 2 of the old run" in text, text)
+
+# A row that runs no more to its end is worse; a single run needs a larger change.
+code, verdicts, text = compared(old[:1], [{"case": "slow", "threads": 1, "reference": "loop", "note": "did not end"}])
+check(code == 1 and verdicts == {"slow": "worse"}, text)
+once = [line("once", 1, 1, 1, repeats=1)]
+check(compared(once, [line("once", .85, .85, .85, repeats=1)])[0] == 0, "a change of 15 % in single runs")
+check(compared(once, [line("once", .7, .7, .7, repeats=1)])[0] == 1, "a change of 30 % in single runs")
 code, _, text = compared(old, new[1:])
 check(code == 0 and ", 0 worse" in text, text)
 
