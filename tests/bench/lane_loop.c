@@ -131,7 +131,6 @@ step(lanes *g, const field *field_of_box, kinds kind, bool has_weights)
     const float g_of_box = f.g[0], g_of_ball = f.g[1];
     const float half_of_box = f.half[0], half_of_ball = f.half[1];
     const float per_majorant = -1 / f.majorant;
-#pragma GCC ivdep
     for (int l = 0; l < LANES; ++l) {
         /* Fly to the next tentative collision. */
         const float s = log_of(uniform(g, l)) * per_majorant;
