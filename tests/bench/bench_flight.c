@@ -13,11 +13,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/progress.h"
 #include "medium/delta.h"
+#include "times.h"
 
-#define RAYS    40000
-#define REPEATS 7
+#define RAYS 40000
 
 static const double DEPTHS[] = {.3, 3, 30};
 
@@ -81,9 +80,9 @@ static double mean_depth(const contest *c)
     return sum / RAYS;
 }
 
-static double seconds_of(contest *c, bool by_delta)
+static void fly(contest *c, bool by_delta, bench_times *times, int repeat)
 {
-    const double begin = murk_clock_s();
+    const bench_moment begun = bench_now();
     for (uint64_t i = 0; i < RAYS; ++i) {
         murk_vec3 from, along;
         ray_of(&c->box, i, &from, &along);
@@ -98,19 +97,7 @@ static double seconds_of(contest *c, bool by_delta)
                                       -log(r.u[0]), r.u[1], &met);
         c->nulls += dice.nulls;
     }
-    return murk_clock_s() - begin;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *x)
-{
-    qsort(x, REPEATS, sizeof *x, ascending);
-    return x[REPEATS / 2];
+    bench_add(times, repeat, begun);
 }
 
 static void run(contest c, double depth)
@@ -120,23 +107,30 @@ static void run(contest c, double depth)
     const double extinction = depth / mean_depth(&c);
     murk_media_destroy(c.media);
     c.media = media_of(&c, extinction);
-    double march[REPEATS], delta[REPEATS];
-    for (int i = 0; i < REPEATS; ++i) {
-        march[i] = seconds_of(&c, false);
-        delta[i] = seconds_of(&c, true);
+    bench_times march = {0}, delta = {0};
+    for (int i = 0; i < BENCH_REPEATS; ++i) {
+        fly(&c, false, &march, i);
+        fly(&c, true, &delta, i);
     }
     murk_media_destroy(c.media);
-    const double march_s = median(march), delta_s = median(delta);
     const char *slash = strrchr(c.file, '/');
-    printf("{\"case\": \"flight\", \"value\": %.4g, \"unit\": \"flights/s by "
-           "delta\", \"reference\": \"march, %s, %s, depth %g, %.1f nulls\", "
-           "\"reference_value\": %.4g, \"ratio\": %.3f, \"threads\": 1}\n",
-           RAYS / delta_s, slash ? slash + 1 : c.file,
-           c.interpolation == MURK_LINEAR ? "linear" : "nearest", depth,
-           c.nulls / RAYS / REPEATS, RAYS / march_s, march_s / delta_s);
+    char reference[256];
+    snprintf(reference, sizeof reference,
+             "march, %s, %s, depth %g, %.1f null collisions",
+             slash ? slash + 1 : c.file,
+             c.interpolation == MURK_LINEAR ? "linear" : "nearest", depth,
+             c.nulls / RAYS / BENCH_REPEATS);
+    bench_print(&(bench_row){.name = "flight",
+                             .unit = "flights/s",
+                             .reference = reference,
+                             .threads = 1,
+                             .work = RAYS,
+                             .reference_work = RAYS,
+                             .ours = &delta,
+                             .theirs = &march});
     /* The same rays, other numbers but for the first of each. */
-    const double share = c.collided[0] / RAYS / REPEATS;
-    const double sigma = sqrt(2. * RAYS * share * (1 - share)) * REPEATS;
+    const double share = c.collided[0] / RAYS / BENCH_REPEATS;
+    const double sigma = sqrt(2. * RAYS * share * (1 - share)) * BENCH_REPEATS;
     if (!(fabs(c.collided[0] - c.collided[1]) <= 5 * sigma)) {
         stop(c.file, "march and delta do not agree");
     }

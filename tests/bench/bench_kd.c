@@ -1,19 +1,23 @@
-/* kd-query and kd-build: the photon map against nanoflann.
+/* kd-query, kd-sums and kd-build: the photon map against nanoflann.
  *
  *   bench_kd [light.murk]
+ *   bench_kd --uniform RADIUS THREADS
  *
  * On the surface and volume maps of the file, else on 1e6 photon-like points:
  * walls of rooms and clusters in the air. Queries are at the maps' own photons
- * in random order, with the radius of each map that finds about 50. nanoflann
- * gets its points packed, its best leaf size of those tried (for queries and
- * for building apart), and unsorted results. Timings of both alternate; the
- * figure is the median. */
+ * in random order, with the radius of each map that finds about 50: kd-query
+ * lists the photons within, kd-sums only adds up. nanoflann gets its points
+ * packed, its best leaf size of those tried (for queries and for building
+ * apart), and unsorted results. Timings of both alternate.
+ *
+ * --uniform: sums alone, once, in 1e6 points evenly in a cube of side 1 m, as
+ * the ceiling kdtree.c has them; prints queries, hits and times. */
 #include "base/pool.h"
-#include "base/progress.h"
 #include "base/rng.h"
 #include "peer_kd.h"
 #include "photonmap/map.h"
 #include "photonmap/map_file.h"
+#include "times.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -24,7 +28,6 @@
 #define HITS    50.0
 #define QUERIES 65536
 #define BATCH   1024
-#define REPEATS 7
 #define WORKERS 2
 
 static const size_t leaf_sizes[] = {10, 16, 24, 32, 64};
@@ -132,16 +135,16 @@ static size_t read_maps(contest contests[2], const char *path)
 /* ---- one map ---- */
 
 static murk_photon_map *build(const contest *c, unsigned threads,
-                              double *seconds)
+                              bench_times *times, int repeat)
 {
     murk_photon *photons = allocate(c->n * sizeof *photons);
     murk_photon_map *map = NULL;
     memcpy(photons, c->photons, c->n * sizeof *photons);
-    const double start = murk_clock_s();
+    const bench_moment begun = bench_now();
     if (murk_photon_map_create(&map, photons, c->n, threads, NULL)) {
         stop("no map");
     }
-    *seconds = murk_clock_s() - start;
+    bench_add(times, repeat, begun);
     return map;
 }
 
@@ -176,6 +179,18 @@ static void batch_of_map(void *context, unsigned worker, uint64_t batch)
     c->hits[batch] = hits;
 }
 
+static void batch_of_sums(void *context, unsigned worker, uint64_t batch)
+{
+    contest *c = context;
+    size_t hits = 0;
+    (void)worker;
+    for (size_t i = batch * BATCH; i < (batch + 1) * BATCH; ++i) {
+        hits +=
+            murk_photon_map_count_within(c->map, center_of(c, i), c->radius_m);
+    }
+    c->hits[batch] = hits;
+}
+
 static void batch_of_peer(void *context, unsigned worker, uint64_t batch)
 {
     contest *c = context;
@@ -184,26 +199,31 @@ static void batch_of_peer(void *context, unsigned worker, uint64_t batch)
                                     BATCH, (float)c->radius_m);
 }
 
-/* Seconds for all queries; the photons found in all go to *hits. */
-static double time_queries(contest *c, murk_worker_job job, unsigned threads,
-                           size_t *hits)
+static void batch_of_peer_sums(void *context, unsigned worker, uint64_t batch)
 {
-    const double start = murk_clock_s();
-    murk_pool_run_workers(threads, QUERIES / BATCH, job, c);
-    const double seconds = murk_clock_s() - start;
-    *hits = 0;
-    for (size_t i = 0; i < QUERIES / BATCH; ++i) {
-        *hits += c->hits[i];
-    }
-    return seconds;
+    contest *c = context;
+    (void)worker;
+    c->hits[batch] = peer_kd_sums(c->peer, c->centers + 3 * batch * BATCH,
+                                  BATCH, (float)c->radius_m);
 }
 
-/* Builds ours, then the peer's with each leaf size, and keeps the one that
- * answers fastest. Returns that leaf size. */
-static size_t prepare(contest *c)
+/* Times all queries; returns the photons found in all. */
+static size_t time_queries(contest *c, murk_worker_job job, unsigned threads,
+                           bench_times *times, int repeat)
 {
-    double seconds, best_s = INFINITY;
-    size_t best = 0, hits;
+    const bench_moment begun = bench_now();
+    murk_pool_run_workers(threads, QUERIES / BATCH, job, c);
+    bench_add(times, repeat, begun);
+    size_t hits = 0;
+    for (size_t i = 0; i < QUERIES / BATCH; ++i) {
+        hits += c->hits[i];
+    }
+    return hits;
+}
+
+/* Copies the positions, and takes query centres at some of them. */
+static void set_centers(contest *c)
+{
     /* Positions of the photons, and query centres at some of them. */
     c->points = allocate(3 * c->n * sizeof *c->points);
     c->centers = allocate((size_t)3 * QUERIES * sizeof *c->centers);
@@ -217,21 +237,32 @@ static size_t prepare(contest *c)
                c->points + 3 * (size_t)(r.u[0] * (double)c->n),
                3 * sizeof *c->centers);
     }
+}
+
+/* Builds ours, then the peer's with each leaf size, and keeps the one that
+ * answers fastest. Returns that leaf size. */
+static size_t prepare(contest *c)
+{
+    double best_s = INFINITY;
+    size_t best = 0;
+    bench_times built = {0};
+    set_centers(c);
     for (int i = 0; i < WORKERS; ++i) {
         c->found[i] = allocate(c->n * sizeof *c->found[i]);
     }
     /* The tree of murk, and the radius that finds the wanted number of
      * photons. */
-    c->map = build(c, 1, &seconds);
+    c->map = build(c, 1, &built, 0);
     find_radius(c);
     /* The first timing of each leaf size only warms the caches. */
     for (size_t i = 0; i < LEAF_SIZES; ++i) {
         peer_kd *best_peer = c->peer;
         c->peer = peer_kd_create(c->points, c->n, leaf_sizes[i]);
-        time_queries(c, batch_of_peer, 1, &hits);
-        seconds = time_queries(c, batch_of_peer, 1, &hits);
-        if (seconds < best_s) {
-            best_s = seconds;
+        bench_times times = {0};
+        time_queries(c, batch_of_peer, 1, &times, 0);
+        time_queries(c, batch_of_peer, 1, &times, 1);
+        if (times.clock_s[1] < best_s) {
+            best_s = times.clock_s[1];
             best = leaf_sizes[i];
             peer_kd_destroy(best_peer);
         } else {
@@ -251,98 +282,114 @@ static void release(contest *c)
         free(c->found[i]);
     }
     murk_photon_map_destroy(c->map);
-    peer_kd_destroy(c->peer);
+    if (c->peer) {
+        peer_kd_destroy(c->peer);
+    }
 }
 
 /* ---- the cases ---- */
 
-static int compare(const void *a, const void *b)
+static void print_case(const char *name, const char *unit, double work,
+                       size_t leaf, unsigned threads, const bench_times *ours,
+                       const bench_times *peers)
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    fprintf(stderr, "%s: best leaf size of nanoflann: %zu\n", name, leaf);
+    bench_print(&(bench_row){.name = name,
+                             .unit = unit,
+                             .reference = "nanoflann, best leaf size",
+                             .threads = threads,
+                             .work = work,
+                             .reference_work = work,
+                             .ours = ours,
+                             .theirs = peers});
 }
 
-static double median(double values[REPEATS])
+static void query_case(const char *name, murk_worker_job our_job,
+                       murk_worker_job peer_job, contest *contests, size_t n,
+                       size_t leaf, unsigned threads)
 {
-    qsort(values, REPEATS, sizeof *values, compare);
-    return values[REPEATS / 2];
-}
-
-static void print_case(const char *name, double value, const char *unit,
-                       size_t leaf, double reference, unsigned threads)
-{
-    printf("{\"case\": \"%s\", \"value\": %.4g, \"unit\": \"%s\", "
-           "\"reference\": \"nanoflann, leaf size %zu\", "
-           "\"reference_value\": %.4g, \"ratio\": %.3f, \"threads\": %u}\n",
-           name, value, unit, leaf, reference, value / reference, threads);
-    fflush(stdout);
-}
-
-static void query_case(contest *contests, size_t n, size_t leaf,
-                       unsigned threads)
-{
-    double ours[REPEATS] = {0}, peers[REPEATS] = {0};
-    for (int repeat = 0; repeat < REPEATS; ++repeat) {
+    bench_times ours = {0}, peers = {0};
+    for (int repeat = 0; repeat < BENCH_REPEATS; ++repeat) {
         for (size_t i = 0; i < n; ++i) {
             contest *c = &contests[i];
-            size_t our_hits, peer_hits;
-            ours[repeat] += time_queries(c, batch_of_map, threads, &our_hits);
-            peers[repeat] +=
-                time_queries(c, batch_of_peer, threads, &peer_hits);
+            const double our_hits =
+                (double)time_queries(c, our_job, threads, &ours, repeat);
+            const double peer_hits =
+                (double)time_queries(c, peer_job, threads, &peers, repeat);
             /* nanoflann's ball is open, and where it puts the rounding of a
              * square is its own: a photon in a million may differ. */
-            const double off = (double)our_hits - (double)peer_hits;
-            if (fabs(off) > 1e-5 * (double)our_hits) {
+            if (fabs(our_hits - peer_hits) > 1e-5 * our_hits) {
                 stop("nanoflann found other photons");
             }
         }
     }
-    const double queries = (double)n * QUERIES;
-    print_case("kd-query", queries / median(ours), "queries/s", leaf,
-               queries / median(peers), threads);
+    print_case(name, "queries/s", (double)n * QUERIES, leaf, threads, &ours,
+               &peers);
 }
 
 /* nanoflann 1.4 builds on one thread. */
 static void build_case(contest *contests, size_t n, unsigned threads)
 {
-    double ours[REPEATS] = {0}, peers[LEAF_SIZES][REPEATS] = {{0}};
+    bench_times ours = {0}, peers[LEAF_SIZES] = {0};
     double photons = 0;
     for (size_t i = 0; i < n; ++i) {
         photons += (double)contests[i].n;
     }
     /* Time all trees in turn, so that a drift of the clock rate meets all. */
-    for (int repeat = 0; repeat < REPEATS; ++repeat) {
+    for (int repeat = 0; repeat < BENCH_REPEATS; ++repeat) {
         for (size_t i = 0; i < n; ++i) {
-            double seconds;
-            murk_photon_map_destroy(build(&contests[i], threads, &seconds));
-            ours[repeat] += seconds;
+            murk_photon_map_destroy(
+                build(&contests[i], threads, &ours, repeat));
             for (size_t j = 0; j < LEAF_SIZES; ++j) {
-                const double start = murk_clock_s();
+                const bench_moment begun = bench_now();
                 peer_kd *peer = peer_kd_create(contests[i].points,
                                                contests[i].n, leaf_sizes[j]);
-                peers[j][repeat] += murk_clock_s() - start;
+                bench_add(&peers[j], repeat, begun);
                 peer_kd_destroy(peer);
             }
         }
     }
     /* The peer competes with its fastest leaf size. */
-    double best_s = INFINITY;
-    size_t leaf = 0;
-    for (size_t j = 0; j < LEAF_SIZES; ++j) {
-        const double seconds = median(peers[j]);
-        if (seconds < best_s) {
-            best_s = seconds;
-            leaf = leaf_sizes[j];
+    size_t best = 0;
+    for (size_t j = 1; j < LEAF_SIZES; ++j) {
+        best =
+            bench_median_s(&peers[j]) < bench_median_s(&peers[best]) ? j : best;
+    }
+    print_case("kd-build", "photons/s", photons, leaf_sizes[best], threads,
+               &ours, &peers[best]);
+}
+
+static int uniform_sums(double radius_m, unsigned threads)
+{
+    static contest c;
+    bench_times built = {0}, times = {0};
+    c.n = POINTS;
+    c.photons = allocate(c.n * sizeof *c.photons);
+    memset(c.photons, 0, c.n * sizeof *c.photons);
+    for (size_t i = 0; i < c.n; ++i) {
+        const murk_random4 r = murk_random(1, MURK_TEST, i, 0, 0);
+        for (int a = 0; a < 3; ++a) {
+            c.photons[i].position_m[a] = (float)r.u[a];
         }
     }
-    print_case("kd-build", photons / median(ours), "photons/s", leaf,
-               photons / best_s, threads);
+    set_centers(&c);
+    c.map = build(&c, threads, &built, 0);
+    c.radius_m = radius_m;
+    const size_t hits = time_queries(&c, batch_of_sums, threads, &times, 0);
+    printf("{\"queries\": %d, \"hits\": %.4f, \"clock_s\": %.6g, \"cpu_s\": "
+           "%.6g}\n",
+           QUERIES, (double)hits / QUERIES, times.clock_s[0], times.cpu_s[0]);
+    release(&c);
+    return 0;
 }
 
 int main(int argc, char **argv)
 {
     static contest contests[2];
     size_t n = 1, leaf = 0;
+    if (argc == 4 && strcmp(argv[1], "--uniform") == 0) {
+        return uniform_sums(atof(argv[2]), (unsigned)atoi(argv[3]));
+    }
     /* Points: the photon maps of a file, or uniform points. */
     if (argc > 1) {
         n = read_maps(contests, argv[1]);
@@ -358,7 +405,10 @@ int main(int argc, char **argv)
         leaf = prepare(&contests[i]);
     }
     for (unsigned threads = 1; threads <= WORKERS; ++threads) {
-        query_case(contests, n, leaf, threads);
+        query_case("kd-query", batch_of_map, batch_of_peer, contests, n, leaf,
+                   threads);
+        query_case("kd-sums", batch_of_sums, batch_of_peer_sums, contests, n,
+                   leaf, threads);
     }
     for (unsigned threads = 1; threads <= WORKERS; ++threads) {
         build_case(contests, n, threads);

@@ -8,11 +8,11 @@
  * Embree's two hints. Timings alternate; the figure is the median. Run from the
  * top folder. */
 #include "base/pool.h"
-#include "base/progress.h"
 #include "base/rng.h"
 #include "peer_occlusion.h"
 #include "sensing/candidates.h"
 #include "sensing/sight.h"
+#include "times.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,6 @@
 #define MESH    "scenes/meshes/paper-room.obj"
 #define PHOTONS 10000
 #define RANGE_M 7
-#define REPEATS 7
 #define THREADS 2
 #define ALBEDO  0.6
 
@@ -219,33 +218,6 @@ static void query_row(void *context, unsigned worker, uint64_t batch)
     l->seen[batch] = row.seen;
 }
 
-static double time_ours(occlusion_queries *l, unsigned threads)
-{
-    const double begun_s = murk_clock_s();
-    murk_pool_run_workers(threads, CANDIDATES, query_row, l);
-    return murk_clock_s() - begun_s;
-}
-
-static double time_peer(const contest *c, unsigned threads, bool is_coherent,
-                        size_t *blocked)
-{
-    const double begun_s = murk_clock_s();
-    *blocked = peer_occlusion_cast(c->peer, threads, is_coherent);
-    return murk_clock_s() - begun_s;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *x)
-{
-    qsort(x, REPEATS, sizeof *x, by_value);
-    return x[REPEATS / 2];
-}
-
 /* Both count what is open; a few grazing rays in a million may differ. */
 static void compare(const contest *c, const occlusion_queries *l,
                     size_t blocked)
@@ -263,22 +235,28 @@ static void compare(const contest *c, const occlusion_queries *l,
 
 static void report(const contest *c, occlusion_queries *l, unsigned threads)
 {
-    double ours[REPEATS], wide[REPEATS], coherent[REPEATS];
-    size_t blocked;
-    for (int i = 0; i < REPEATS; ++i) {
-        ours[i] = time_ours(l, threads);
-        wide[i] = time_peer(c, threads, false, &blocked);
-        coherent[i] = time_peer(c, threads, true, &blocked);
+    bench_times ours = {0}, peer[2] = {0}; /* by Embree's hint */
+    size_t blocked = 0;
+    for (int i = 0; i < BENCH_REPEATS; ++i) {
+        bench_moment begun = bench_now();
+        murk_pool_run_workers(threads, CANDIDATES, query_row, l);
+        bench_add(&ours, i, begun);
+        for (int coherent = 0; coherent < 2; ++coherent) {
+            begun = bench_now();
+            blocked = peer_occlusion_cast(c->peer, threads, coherent);
+            bench_add(&peer[coherent], i, begun);
+        }
     }
     compare(c, l, blocked);
-    const double rays = (double)c->rays;
-    const double value = rays / median(ours);
-    const double reference = rays / fmin(median(wide), median(coherent));
-    printf("{\"case\": \"occlusion\", \"value\": %.4g, \"unit\": \"rays/s\", "
-           "\"reference\": \"Embree 16 wide, rays given\", "
-           "\"reference_value\": %.4g, \"ratio\": %.3f, \"threads\": %u}\n",
-           value, reference, value / reference, threads);
-    fflush(stdout);
+    const bool best = bench_median_s(&peer[1]) < bench_median_s(&peer[0]);
+    bench_print(&(bench_row){.name = "occlusion",
+                             .unit = "rays/s",
+                             .reference = "Embree 16 wide, rays given",
+                             .threads = threads,
+                             .work = (double)c->rays,
+                             .reference_work = (double)c->rays,
+                             .ours = &ours,
+                             .theirs = &peer[best]});
 }
 
 int main(void)

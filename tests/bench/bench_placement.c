@@ -8,9 +8,9 @@
  * number of threads; figures for people on standard error.
  *
  *   bench_placement [placement|placement-4|-smoke|-large|-huge] */
-#include "base/progress.h"
 #include "base/rng.h"
 #include "placement/place.h"
+#include "times.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -165,10 +165,12 @@ static void house_destroy(house *h)
     free(h);
 }
 
-/* Seconds for one plain weighing of one candidate, all photons. */
-static double plain_weighing_s(const house *h)
+#define PLAIN_ROWS 64
+
+/* Times plain weighings of PLAIN_ROWS candidates, all photons. */
+static void time_plain(const house *h, bench_times *times, int repeat)
 {
-    const size_t n = h->problem.photons, rows = 64;
+    const size_t n = h->problem.photons, rows = PLAIN_ROWS;
     uint16_t *row = calloc(rows * n, sizeof *row);
     uint16_t *best = calloc(n, sizeof *best);
     /* Dense rows of some candidates, and a partial plan that holds the
@@ -183,7 +185,7 @@ static double plain_weighing_s(const house *h)
     memcpy(best, row, n * sizeof *best);
     /* The plain loop: the gain of each row over the partial plan. */
     volatile uint64_t keep = 0;
-    const double begun_s = murk_clock_s();
+    const bench_moment begun = bench_now();
     for (size_t j = 0; j < rows; ++j) {
         uint64_t sum = 0;
         for (size_t i = 0; i < n; ++i) {
@@ -192,10 +194,9 @@ static double plain_weighing_s(const house *h)
         }
         keep = keep + sum;
     }
-    const double each_s = (murk_clock_s() - begun_s) / (double)rows;
+    bench_add(times, repeat, begun);
     free(row);
     free(best);
-    return each_s;
 }
 
 static int run(const bench_case *what, unsigned threads)
@@ -209,29 +210,36 @@ static int run(const bench_case *what, unsigned threads)
     desc.restarts = what->restarts;
     desc.with_curve = what->with_curve;
     /* Time the coverage matrix and the search apart. */
-    double begun_s = murk_clock_s();
+    bench_times built = {0}, ours = {0}, plain = {0};
+    bench_moment begun = bench_now();
     murk_status status =
         murk_matrix_create(&matrix, &h->problem, (uint64_t)1 << 34, &err);
-    const double matrix_s = murk_clock_s() - begun_s;
-    begun_s = murk_clock_s();
-    if (!status) {
+    bench_add(&built, 0, begun);
+    for (int i = 0; i < BENCH_REPEATS && !status; ++i) {
+        murk_place_release(&r);
+        r = (murk_place_result){0};
+        begun = bench_now();
         status = murk_place_sensors(&r, &h->problem, matrix, &desc, &err);
+        bench_add(&ours, i, begun);
+        time_plain(h, &plain, i);
     }
-    const double place_s = murk_clock_s() - begun_s;
-    /* The reference is the same number of gains by the plain loop. */
     if (status) {
-        printf("%s: %s\n", what->name, err.text);
+        fprintf(stderr, "%s: %s\n", what->name, err.text);
     } else {
-        const double plain_s = plain_weighing_s(h) * (double)r.evaluations;
-        printf("{\"case\": \"%s\", \"value\": %.4g, \"unit\": \"s\", "
-               "\"reference\": \"plain weighings\", \"reference_value\": %.4g, "
-               "\"ratio\": %.3g, \"threads\": %u}\n",
-               what->name, place_s, plain_s, plain_s / place_s, threads);
+        bench_print(&(bench_row){.name = what->name,
+                                 .unit = "weighings/s",
+                                 .reference = "plain weighings",
+                                 .threads = threads,
+                                 .work = (double)r.evaluations,
+                                 .reference_work = PLAIN_ROWS,
+                                 .ours = &ours,
+                                 .theirs = &plain});
         fprintf(stderr,
                 "  matrix %.2f s, %.3g MB, %.3g pairs; %zu of %zu candidates "
                 "after presolve; %zu starts, %.3g weighings\n"
                 "  coverage %.4f, upper %.4f, gap %.2f %%\n",
-                matrix_s, (double)murk_matrix_memory_bytes(matrix) * 1e-6,
+                built.clock_s[0],
+                (double)murk_matrix_memory_bytes(matrix) * 1e-6,
                 (double)murk_matrix_pairs(matrix), r.after_presolve,
                 h->problem.candidates, r.restarts, (double)r.evaluations,
                 (double)r.value / (double)r.whole,

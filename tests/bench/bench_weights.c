@@ -4,21 +4,20 @@
  * error is the worst of reflectance and transmittance, in units of .1 % or
  * 3e-5. For the photon maps (a foggy room) it is that of the share of all
  * stored power that lies in one quarter of the room, by emitted photon; there
- * the time is the tracer's, and a second line counts records in its place,
- * which is what memory and sensing go by. One thread, time of the processor.
+ * the time is the tracer's, and a line on standard error counts records in its
+ * place, which is what memory and sensing go by. One thread.
  *
  * The share's error is a ratio estimator's (base/stats.h). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "base/stats.h"
+#include "times.h"
 #include "worlds.h"
 
 #define PHOTONS (64 * MURK_BATCH_PHOTONS)
-#define REPEATS 3
 
 typedef struct slab {
     double index, albedo, g, tau;
@@ -36,13 +35,6 @@ static const double min_weights[] = {1, .3, .1, .01, .001};
 /* By photon; scenes score two things each. */
 static double x[PHOTONS], y[PHOTONS];
 static double records;
-
-static double processor_s(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void ends(void *context, uint64_t batch, const murk_event *event)
 {
@@ -65,8 +57,9 @@ static void stored(void *context, uint64_t batch, const murk_event *event)
     }
 }
 
-/* Processor seconds for all photons. */
-static double traced(test_world *w, double least_weight, murk_event_sink sink)
+/* The times for all photons. */
+static bench_times traced(test_world *w, double least_weight,
+                          murk_event_sink sink)
 {
     murk_trace trace = murk_trace_defaults();
     trace.world = &w->world;
@@ -74,16 +67,16 @@ static double traced(test_world *w, double least_weight, murk_event_sink sink)
     trace.last = PHOTONS;
     trace.least_weight = least_weight;
     trace.sink = sink;
-    double best = INFINITY;
-    for (int i = 0; i < REPEATS; ++i) {
+    bench_times times = {0};
+    for (int i = 0; i < BENCH_REPEATS; ++i) {
         memset(x, 0, sizeof x);
         memset(y, 0, sizeof y);
         records = 0;
-        const double begin = processor_s();
+        const bench_moment begun = bench_now();
         murk_trace_run(&trace, w->ledger);
-        best = fmin(best, processor_s() - begin);
+        bench_add(&times, i, begun);
     }
-    return best;
+    return times;
 }
 
 static double squared_error(murk_estimate e)
@@ -92,13 +85,25 @@ static double squared_error(murk_estimate e)
     return over * over;
 }
 
-static void tell(const char *name, double least_weight, const char *unit,
-                 double value, double reference)
+/* The time and the squared error of a run, or of roulette alone. */
+typedef struct merit {
+    bench_times times;
+    double error2;
+} merit;
+
+static void tell(const char *name, double least_weight, const merit *m,
+                 const merit *roulette)
 {
-    printf("{\"case\": \"weights %s least %g\", \"value\": %.4g, \"unit\": "
-           "\"%s\", \"reference\": \"roulette alone\", \"reference_value\": "
-           "%.4g, \"ratio\": %.3f, \"threads\": 1}\n",
-           name, least_weight, value, unit, reference, value / reference);
+    char title[160];
+    snprintf(title, sizeof title, "weights %s least %g", name, least_weight);
+    bench_print(&(bench_row){.name = title,
+                             .unit = "1/(squared error)/s",
+                             .reference = "roulette alone",
+                             .threads = 1,
+                             .work = 1 / m->error2,
+                             .reference_work = 1 / roulette->error2,
+                             .ours = &m->times,
+                             .theirs = &roulette->times});
 }
 
 static void bench_slab(const slab *s)
@@ -128,15 +133,13 @@ static void bench_slab(const slab *s)
              s->albedo, s->g, s->tau);
     /* Merit is 1 / (squared error * time), relative to that of plain
      * roulette. */
-    double roulette = 0;
+    merit roulette = {0};
     for (size_t k = 0; k < WEIGHTS; ++k) {
-        const double seconds = traced(&w, min_weights[k], ends);
-        const double worst =
-            fmax(squared_error(murk_mean_estimate(x, PHOTONS)),
-                 squared_error(murk_mean_estimate(y, PHOTONS)));
-        const double merit = 1 / (worst * seconds);
-        roulette = k == 0 ? merit : roulette;
-        tell(name, min_weights[k], "1/s", merit, roulette);
+        merit m = {.times = traced(&w, min_weights[k], ends)};
+        m.error2 = fmax(squared_error(murk_mean_estimate(x, PHOTONS)),
+                        squared_error(murk_mean_estimate(y, PHOTONS)));
+        roulette = k == 0 ? m : roulette;
+        tell(name, min_weights[k], &m, &roulette);
     }
     test_world_unmade(&w);
 }
@@ -164,17 +167,18 @@ static void bench_maps(void)
                       .n_regions = 1});
     /* Merit by time and by stored record, relative to that of plain
      * roulette. */
-    double by_time = 0, by_record = 0;
+    merit roulette = {0};
+    double by_record = 0;
     for (size_t k = 0; k < WEIGHTS; ++k) {
-        const double seconds = traced(&w, min_weights[k], stored);
+        merit m = {.times = traced(&w, min_weights[k], stored)};
         const double error =
             murk_ratio_estimate(x, y, PHOTONS, PHOTONS).standard_error;
-        const double per_s = 1 / (error * error * seconds);
-        const double per_record = 1 / (error * error * records);
-        by_time = k == 0 ? per_s : by_time;
-        by_record = k == 0 ? per_record : by_record;
-        tell("maps", min_weights[k], "1/s", per_s, by_time);
-        tell("maps", min_weights[k], "1/record", per_record, by_record);
+        m.error2 = error * error;
+        roulette = k == 0 ? m : roulette;
+        tell("maps", min_weights[k], &m, &roulette);
+        by_record = k == 0 ? m.error2 * records : by_record;
+        fprintf(stderr, "weights maps least %g: merit by record %.3f\n",
+                min_weights[k], by_record / (m.error2 * records));
     }
     test_world_unmade(&w);
 }

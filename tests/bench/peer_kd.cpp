@@ -28,6 +28,32 @@ struct Cloud {
 using Index = nanoflann::KDTreeSingleIndexAdaptor<
     nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, uint32_t>;
 
+/* A result set that counts, and lists nothing. */
+struct Sum {
+    using DistanceType = float;
+    using IndexType = uint32_t;
+    float square;
+    size_t count = 0;
+
+    size_t size() const
+    {
+        return count;
+    }
+    bool full() const
+    {
+        return true;
+    }
+    bool addPoint(float, uint32_t)
+    {
+        ++count;
+        return true;
+    }
+    float worstDist() const
+    {
+        return square;
+    }
+};
+
 } // namespace
 
 struct peer_kd {
@@ -62,6 +88,19 @@ size_t peer_kd_within(const peer_kd *index, const float *centers, size_t n,
     for (size_t i = 0; i < n; ++i) {
         all += index->index.radiusSearch(centers + 3 * i, radius * radius,
                                          found, unsorted);
+    }
+    return all;
+}
+
+size_t peer_kd_sums(const peer_kd *index, const float *centers, size_t n,
+                    float radius)
+{
+    const nanoflann::SearchParams unsorted(0, 0, false);
+    size_t all = 0;
+    for (size_t i = 0; i < n; ++i) {
+        Sum sum{radius * radius};
+        index->index.findNeighbors(sum, centers + 3 * i, unsorted);
+        all += sum.count;
     }
     return all;
 }

@@ -19,6 +19,10 @@ void peer_kd_destroy(peer_kd *index);
 size_t peer_kd_within(const peer_kd *index, const float *centers, size_t n,
                       float radius);
 
+/* The same, with a result set that only adds up. */
+size_t peer_kd_sums(const peer_kd *index, const float *centers, size_t n,
+                    float radius);
+
 #ifdef __cplusplus
 }
 #endif

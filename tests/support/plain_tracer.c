@@ -49,7 +49,7 @@ static bool is_outside(const plain_box *box, const double p[3])
 /* The side that the flight back from outside came through last: the first on
  * the way out. */
 static void count_side(const plain_box *box, const double p[3],
-                       const double d[3], plain_result *out)
+                       const double d[3], double weight, plain_result *out)
 {
     double back = -1;
     int axis = 0;
@@ -63,7 +63,7 @@ static void count_side(const plain_box *box, const double p[3],
             axis = k;
         }
     }
-    ++out->escaped[axis][p[axis] > 0];
+    out->escaped[axis][p[axis] > 0] += weight;
 }
 
 typedef enum kinds { EVEN, BALL, VOXELS, LINEAR } kinds;
@@ -78,15 +78,16 @@ static inline bool is_in_ball(const plain_box *box, const double p[3])
     return square < box->radius_m * box->radius_m;
 }
 
-static inline double density_at(const plain_box *box, const double p[3])
+/* The cell of 1 m that contains p. */
+static inline size_t cell_at(const plain_box *box, const double p[3])
 {
-    size_t voxel = 0;
+    size_t cell = 0;
     for (int k = 0; k < 3; ++k) {
         const size_t n = (size_t)box->size_m[k];
         const size_t i = (size_t)p[k];
-        voxel = voxel * n + (i < n ? i : n - 1);
+        cell = cell * n + (i < n ? i : n - 1);
     }
-    return (double)box->density[voxel];
+    return cell;
 }
 
 static inline double extinction_of(const plain_matter *m)
@@ -134,7 +135,7 @@ static inline plain_result trace(const plain_box *box, kinds kind,
                      : 0;
     /* One photon after the other, from the same start. */
     for (uint64_t i = 0; i < photons; ++i) {
-        double p[3], d[3];
+        double p[3], d[3], weight = 1;
         for (int k = 0; k < 3; ++k) {
             p[k] = box->start_m[k];
             d[k] = box->direction[k];
@@ -146,22 +147,30 @@ static inline plain_result trace(const plain_box *box, kinds kind,
                 p[k] += step * d[k];
             }
             if (is_outside(box, p)) {
-                count_side(box, p, d, &out);
+                count_side(box, p, d, weight, &out);
                 break;
             }
             /* Null collision: fly on unchanged. */
             const bool in_ball = kind == BALL && is_in_ball(box, p);
-            const double share = in_ball          ? real_in_ball
-                                 : kind == VOXELS ? real * density_at(box, p)
-                                 : kind == LINEAR ? real * linear_at(box, p)
-                                                  : real;
+            const double share =
+                in_ball          ? real_in_ball
+                : kind == VOXELS ? real * (double)box->density[cell_at(box, p)]
+                : kind == LINEAR ? real * linear_at(box, p)
+                                 : real;
             if (share < 1 && uniform(&state) > share) {
                 continue;
             }
             /* Real collision: absorption or a new direction. */
             ++out.collisions;
-            if (uniform(&state) < (in_ball ? absorbs_in_ball : absorbs)) {
-                ++out.absorbed;
+            const double chance = in_ball ? absorbs_in_ball : absorbs;
+            if (box->absorption) {
+                box->absorption[cell_at(box, p)] += (float)(weight * chance);
+            }
+            if (box->has_weights) {
+                out.absorbed += weight * chance;
+                weight -= weight * chance;
+            } else if (uniform(&state) < chance) {
+                out.absorbed += 1;
                 break;
             }
             turn(d, in_ball ? box->ball.mean_cosine : box->matter.mean_cosine,

@@ -28,12 +28,21 @@ typedef struct plain_box {
      * trilinear between whole coordinates, one more along an axis. */
     const float *density;
     bool is_linear;
+
+    /* True: a photon leaves its absorbed part behind at each real collision and
+     * goes on with the rest until it escapes. False: roulette, a photon is
+     * absorbed whole or not at all. */
+    bool has_weights;
+
+    /* The expected absorption at each real collision is added to the cell of
+     * 1 m that contains the collision, x slowest; NULL: no tally. */
+    float *absorption;
 } plain_box;
 
-/* Counts of photons, and of real collisions. */
+/* Photons, by weight, and the number of real collisions. */
 typedef struct plain_result {
-    uint64_t absorbed;
-    uint64_t escaped[3][2]; /* through the lower and upper side of each axis */
+    double absorbed;
+    double escaped[3][2]; /* through the lower and upper side of each axis */
     uint64_t collisions;
 } plain_result;
 
