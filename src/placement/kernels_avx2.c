@@ -137,12 +137,26 @@ MURK_LOOP uint64_t reduce_terms(__m256i sum, bool has_weights)
  * many words fill the lane. */
 #define WORDS_PER_FLUSH 8192
 
+/* The terms of the eight slots of one byte of a word, best of the first of
+ * them. */
+MURK_LOOP __m128i terms_of_byte(uint64_t word, uint64_t below, int byte,
+                                const uint16_t *p, const uint16_t *best,
+                                bool is_independent)
+{
+    const __m128i given = expand(p ? p + (uint8_t)(below >> (8 * byte)) : NULL,
+                                 (uint8_t)(word >> (8 * byte)));
+    const __m128i old = _mm_loadu_si128((const void *)(best + 8 * byte));
+    return is_independent
+               ? _mm_mulhi_epu16(given, _mm_xor_si128(old, _mm_set1_epi32(-1)))
+               : _mm_subs_epu16(given, old);
+}
+
+/* Each word makes eight steps, written out so that all shifts are constants. */
 MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
                               const uint16_t *clarity, const uint16_t *best,
                               const uint32_t *weight, size_t words,
                               bool is_independent, size_t *used)
 {
-    const __m128i ones = _mm_set1_epi32(-1);
     const uint16_t *p = clarity;
     uint64_t total = 0;
     for (size_t k = 0; k < words;) {
@@ -151,20 +165,22 @@ MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
         __m256i sum = _mm256_setzero_si256();
         for (; k < end; ++k) {
             const uint64_t word = row[k];
-            const uint64_t below = bits_below_bytes(word);
+            const uint64_t below = p ? bits_below_bytes(word) : 0;
             const size_t first = 64 * murk_word_at(at, k);
-            for (int byte = 0; byte < 8; ++byte) {
-                const size_t i = first + 8 * (size_t)byte;
-                const __m128i given =
-                    expand(p ? p + (uint8_t)(below >> (8 * byte)) : NULL,
-                           (uint8_t)(word >> (8 * byte)));
-                const __m128i old = _mm_loadu_si128((const void *)(best + i));
-                const __m128i d =
-                    is_independent
-                        ? _mm_mulhi_epu16(given, _mm_xor_si128(old, ones))
-                        : _mm_subs_epu16(given, old);
-                sum = add_terms(sum, d, weight ? weight + i : NULL);
-            }
+#define STEP(byte)                                                         \
+    sum = add_terms(                                                       \
+        sum,                                                               \
+        terms_of_byte(word, below, byte, p, best + first, is_independent), \
+        weight ? weight + first + 8 * (byte) : NULL)
+            STEP(0);
+            STEP(1);
+            STEP(2);
+            STEP(3);
+            STEP(4);
+            STEP(5);
+            STEP(6);
+            STEP(7);
+#undef STEP
             if (p) {
                 p += __builtin_popcountll(word);
             }
@@ -195,7 +211,110 @@ MURK_TARGET static uint64_t packed(const uint64_t *row, const uint32_t *at,
                : sum_packed(row, at, clarity, best, NULL, words, false, used);
 }
 
-static const murk_kernels avx2 = {murk_loop_count_new, dense, packed};
+/* ---- many covers at once ---- */
+
+/* A lane of 32 bits takes one term an entry: so many words of 64 entries fill
+ * the lane. */
+#define WORDS_PER_LANE_FLUSH 1024
+
+/* Accumulators of the terms of all lanes. Without weights element 0 has the
+ * even lanes and element 1 the odd ones, in 32 bits. With weights the even
+ * lanes are in elements 0 and 1, the odd ones in 2 and 3, in 64 bits. */
+typedef struct lane_sums {
+    __m256i of[4];
+} lane_sums;
+
+/* Adds the products of the 32-bit lanes x and the weight. */
+MURK_TARGET static inline void add_weighted(__m256i of[2], __m256i x, __m256i w)
+{
+    of[0] = _mm256_add_epi64(of[0], _mm256_mul_epu32(x, w));
+    of[1] =
+        _mm256_add_epi64(of[1], _mm256_mul_epu32(_mm256_srli_epi64(x, 32), w));
+}
+
+MURK_LOOP void add_lanes(lane_sums *sums, __m256i d, const uint32_t *weight)
+{
+    const __m256i even = _mm256_and_si256(d, _mm256_set1_epi32(0xffff));
+    const __m256i odd = _mm256_srli_epi32(d, 16);
+    if (weight) {
+        const __m256i w = _mm256_set1_epi32((int)*weight);
+        add_weighted(sums->of, even, w);
+        add_weighted(sums->of + 2, odd, w);
+    } else {
+        sums->of[0] = _mm256_add_epi32(sums->of[0], even);
+        sums->of[1] = _mm256_add_epi32(sums->of[1], odd);
+    }
+}
+
+/* Adds the accumulators to sum[] in the order of the lanes, and empties them.
+ */
+MURK_LOOP void flush_lanes(lane_sums *sums, bool has_weights,
+                           uint64_t sum[MURK_LANES])
+{
+    for (size_t part = 0; part < (has_weights ? 4 : 2); ++part) {
+        uint64_t of_64[4];
+        uint32_t of_32[8];
+        _mm256_storeu_si256((void *)of_64, sums->of[part]);
+        _mm256_storeu_si256((void *)of_32, sums->of[part]);
+        for (size_t k = 0; k < 4 && has_weights; ++k) {
+            sum[4 * k + 2 * (part % 2) + part / 2] += of_64[k];
+        }
+        for (size_t k = 0; k < 8 && !has_weights; ++k) {
+            sum[2 * k + part] += of_32[k];
+        }
+        sums->of[part] = _mm256_setzero_si256();
+    }
+}
+
+MURK_LOOP void sum_lanes(const uint64_t *row, const uint32_t *at,
+                         const uint16_t *clarity, const uint16_t *best,
+                         const uint32_t *weight, size_t words, size_t *used,
+                         uint64_t sum[MURK_LANES])
+{
+    const uint16_t *p = clarity;
+    const __m256i zero = _mm256_setzero_si256();
+    lane_sums sums = {{zero, zero, zero, zero}};
+    for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+        sum[lane] = 0;
+    }
+    for (size_t k = 0; k < words;) {
+        const size_t end =
+            words - k < WORDS_PER_LANE_FLUSH ? words : k + WORDS_PER_LANE_FLUSH;
+        for (; k < end; ++k) {
+            const size_t first = 64 * murk_word_at(at, k);
+            for (uint64_t left = row[k]; left; left &= left - 1) {
+                const size_t i = first + (size_t)__builtin_ctzll(left);
+                const __m256i given =
+                    _mm256_set1_epi16((short)(clarity ? *p++ : MURK_CLEAR));
+                const __m256i old =
+                    _mm256_load_si256((const void *)(best + MURK_LANES * i));
+                add_lanes(&sums, _mm256_subs_epu16(given, old),
+                          weight ? weight + i : NULL);
+            }
+        }
+        flush_lanes(&sums, weight, sum);
+    }
+    *used = (size_t)(p - clarity);
+}
+
+MURK_TARGET void murk_kernels_avx2_lanes(const uint64_t *row,
+                                         const uint32_t *at,
+                                         const uint16_t *clarity,
+                                         const uint16_t *best,
+                                         const uint32_t *weight, size_t words,
+                                         size_t *used, uint64_t sum[MURK_LANES])
+{
+    if (!clarity) {
+        sum_lanes(row, at, NULL, best, weight, words, used, sum);
+    } else if (weight) {
+        sum_lanes(row, at, clarity, best, weight, words, used, sum);
+    } else {
+        sum_lanes(row, at, clarity, best, NULL, words, used, sum);
+    }
+}
+
+static const murk_kernels avx2 = {murk_loop_count_new, dense, packed,
+                                  murk_kernels_avx2_lanes};
 
 const murk_kernels *murk_kernels_avx2(void)
 {

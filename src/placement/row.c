@@ -58,9 +58,8 @@ static row_format format_of(const murk_layout *layout,
     /* Bits first, sparse where that pays. */
     row_format s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
                     .words = layout->words};
-    s.is_sparse = is_clear
-                      ? words_used <= layout->words / WORDS_PER_SPARSE_WORD
-                      : words_used < layout->words;
+    s.is_sparse = is_clear ? words_used <= layout->words / WORDS_PER_SPARSE_WORD
+                           : words_used < layout->words;
     if (s.is_sparse) {
         s.words = words_used;
     }

@@ -106,8 +106,14 @@ uint64_t murk_gain_scan_set_all_but(murk_gain_scan *s, const uint32_t *plan,
 
 uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best)
 {
-    murk_evaluator_gains(s->evaluator, &s->cover, s->chunk, n, s->threads,
-                         s->worker, s->chunk_gain);
+    if (s->known) {
+        for (size_t k = 0; k < n; ++k) {
+            s->chunk_gain[k] = s->known[s->chunk[k] * s->known_step];
+        }
+    } else {
+        murk_evaluator_gains(s->evaluator, &s->cover, s->chunk, n, s->threads,
+                             s->worker, s->chunk_gain);
+    }
     s->evaluations += n;
     s->rows += n;
     s->queries += s->evaluator->matrix ? 0 : n;
