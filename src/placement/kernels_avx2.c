@@ -167,6 +167,7 @@ MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
             const uint64_t word = row[k];
             const uint64_t below = p ? bits_below_bytes(word) : 0;
             const size_t first = 64 * murk_word_at(at, k);
+            /* Byte b of the word has slots 8 b to 8 b + 7 of the word. */
 #define STEP(byte)                                                         \
     sum = add_terms(                                                       \
         sum,                                                               \
@@ -280,6 +281,7 @@ MURK_LOOP void sum_lanes(const uint64_t *row, const uint32_t *at,
     for (size_t k = 0; k < words;) {
         const size_t end =
             words - k < WORDS_PER_LANE_FLUSH ? words : k + WORDS_PER_LANE_FLUSH;
+        /* Each entry is compared with the clarities of all lanes. */
         for (; k < end; ++k) {
             const size_t first = 64 * murk_word_at(at, k);
             for (uint64_t left = row[k]; left; left &= left - 1) {

@@ -93,6 +93,7 @@ static void advance(murk_starts *t, shared_climb *c, murk_gain_scan *s,
             if (has_step && !is_in_vain(t, c->batch)) {
                 return;
             }
+            murk_progress_add(1);
         }
         c->is_active = *begun < wave && !is_in_vain(t, *begun);
         if (!c->is_active) {
@@ -238,7 +239,7 @@ uint64_t murk_starts_try(murk_starts *t, const murk_gain_scan *search,
                 without_gain = 0;
             }
         }
-        murk_progress_add(wave);
+        murk_progress_add(t->has_lanes ? 0 : wave);
     }
     *made += done;
     t->is_cut = t->is_cut || t->all_rows > rows_max;

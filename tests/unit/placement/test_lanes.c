@@ -61,6 +61,7 @@ static void check_gains(const murk_evaluator *o)
                            &row[(37 * k + 11 * n) % o->candidates]);
         }
     }
+    /* Compare all gains over the first n covers with those over one cover. */
     size_t off = 0;
     for (size_t n = 1; n <= MURK_LANES; n += 5) {
         murk_lanes_gains(&lanes, borrowed, n);
@@ -117,6 +118,7 @@ static outcome try_singly(const murk_evaluator *o, size_t max)
     size_t without_gain = 0;
     while (r.made < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
            r.rows <= rows_max) {
+        /* Make a start, and accept the plan if it is better. */
         uint32_t plan[SENSORS];
         scan.rows = 0;
         scan.is_cut = false;
