@@ -42,28 +42,30 @@ static double leaves_at(double from, double to, double min, double max)
 int murk_path_cut(const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                   double beyond_m, murk_path_segment *segment)
 {
+    if (!domain->is_periodic) {
+        segment[0] = (murk_path_segment){from, to};
+        return 1;
+    }
     crossing cut[2];
     int cuts = 0;
     /* The sides that the line crosses, nearest first. */
-    if (domain->is_periodic) {
-        const murk_box *box = &domain->box;
-        const double x = leaves_at(from.x, to.x, box->min.x, box->max.x);
-        const double y = leaves_at(from.y, to.y, box->min.y, box->max.y);
-        const murk_vec3 back_x = {
-            copysign(box->max.x - box->min.x, from.x - to.x), 0, 0};
-        const murk_vec3 back_y = {
-            0, copysign(box->max.y - box->min.y, from.y - to.y), 0};
-        if (x < 1) {
-            cut[cuts++] = (crossing){x, back_x};
-        }
-        if (y < 1) {
-            cut[cuts++] = (crossing){y, back_y};
-        }
-        if (cuts == 2 && cut[1].t < cut[0].t) {
-            const crossing first = cut[1];
-            cut[1] = cut[0];
-            cut[0] = first;
-        }
+    const murk_box *box = &domain->box;
+    const double x = leaves_at(from.x, to.x, box->min.x, box->max.x);
+    const double y = leaves_at(from.y, to.y, box->min.y, box->max.y);
+    const murk_vec3 back_x = {copysign(box->max.x - box->min.x, from.x - to.x),
+                              0, 0};
+    const murk_vec3 back_y = {
+        0, copysign(box->max.y - box->min.y, from.y - to.y), 0};
+    if (x < 1) {
+        cut[cuts++] = (crossing){x, back_x};
+    }
+    if (y < 1) {
+        cut[cuts++] = (crossing){y, back_y};
+    }
+    if (cuts == 2 && cut[1].t < cut[0].t) {
+        const crossing first = cut[1];
+        cut[1] = cut[0];
+        cut[0] = first;
     }
     /* The line is cut at each crossed side. The segments before and after a cut
      * both extend over the side by beyond_m along the line, at most to an end
@@ -112,6 +114,9 @@ double murk_path_sheets(const murk_surfaces *surfaces,
                         const murk_domain *domain, murk_vec3 from, murk_vec3 to,
                         int band)
 {
+    if (!domain->is_periodic) {
+        return murk_surfaces_sheet_transmittance(surfaces, from, to, band);
+    }
     murk_path_segment segment[MURK_PATH_SEGMENTS_MAX];
     const int n =
         murk_path_cut(domain, from, to,

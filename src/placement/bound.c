@@ -179,35 +179,48 @@ static void update_mean(murk_bound *b, size_t chosen)
     b->queries += b->evaluator->matrix ? 0 : chosen;
     murk_multipliers_subgradient(&b->multipliers, b->top, chosen,
                                  b->subgradient);
+    float *restrict mean = b->mean;
+    const float *restrict subgradient = b->subgradient;
     for (size_t i = 0; i < slots; ++i) {
-        b->mean[i] += share * (b->subgradient[i] - b->mean[i]);
+        mean[i] += share * (subgradient[i] - mean[i]);
     }
 }
 
-/* The mean, projected: 0 if a step would leave the range of the multiplier. */
-static inline float projected_direction(const murk_bound *b, size_t slot)
+/* Replaces the subgradient by the direction of the step: the mean, projected,
+ * which is 0 if a step would leave the range of the multiplier. Written without
+ * branches, like the loops below, so that compilers use vector registers. */
+static void project_mean(murk_bound *b)
 {
-    const float subgradient = b->mean[slot], at = b->lowest[slot];
-    const bool is_out = subgradient > 0 ? at < b->multipliers.floor[slot] + 0.5F
-                                        : at > MURK_CLEAR - 0.5F;
-    return is_out ? 0 : subgradient;
+    const size_t slots = b->evaluator->layout->slots;
+    const float *restrict mean = b->mean, *restrict lowest = b->lowest;
+    const uint16_t *restrict min = b->multipliers.floor;
+    float *restrict direction = b->subgradient;
+    for (size_t i = 0; i < slots; ++i) {
+        const float low = (float)(int)min[i] + 0.5F;
+        const float down = lowest[i] < low ? 0 : mean[i];
+        const float up = lowest[i] > MURK_CLEAR - 0.5F ? 0 : mean[i];
+        direction[i] = mean[i] > 0 ? down : up;
+    }
 }
 
-/* The sum over the slots of weight times the square of projected_direction(),
- * added in whole numbers: the result is the same for any order of the slots,
- * and whether or not photons with equal columns are merged. */
+/* The sum over the slots of weight times the square of the direction, added in
+ * whole numbers: the result is the same for any order of the slots, and whether
+ * or not photons with equal columns are merged. */
 static double squared_norm(const murk_bound *b)
 {
     const murk_layout *layout = b->evaluator->layout;
+    const float *direction = b->subgradient;
+    const uint32_t *weight = layout->weight;
+    const float max = SUBGRADIENT_MAX / SUBGRADIENT_UNIT;
     uint64_t low = 0, high = 0;
     for (size_t i = 0; i < layout->slots; ++i) {
-        float subgradient = projected_direction(b, i) / SUBGRADIENT_UNIT;
-        subgradient = subgradient < 0 ? -subgradient : subgradient;
-        const uint64_t whole =
-            (uint64_t)(subgradient < SUBGRADIENT_MAX / SUBGRADIENT_UNIT
-                           ? subgradient + 0.5F
-                           : SUBGRADIENT_MAX / SUBGRADIENT_UNIT);
-        const uint64_t term = layout->weight[i] * (whole * whole);
+        const float size = fabsf(direction[i]) / SUBGRADIENT_UNIT;
+        const float rounded = size + 0.5F;
+        /* At most 2^16, so the square fits 32 bits; an int, because processors
+         * convert to signed numbers faster. */
+        const int whole = (int)(size < max ? rounded : max);
+        const uint32_t square = (uint32_t)whole * (uint32_t)whole;
+        const uint64_t term = (uint64_t)weight[i] * square;
         low += term & UINT32_MAX;
         high += term >> 32;
     }
@@ -222,12 +235,19 @@ static double squared_norm(const murk_bound *b)
  * photon, so merging photons with equal columns changes nothing. */
 static void take_step(murk_bound *b, double excess)
 {
+    project_mean(b);
     const double square = squared_norm(b);
     const float length = square > 0 ? (float)(b->step * excess / square) : 0;
-    for (size_t i = 0; i < b->evaluator->layout->slots; ++i) {
-        const float to = b->lowest[i] - length * projected_direction(b, i);
-        const float min = b->multipliers.floor[i];
-        b->multiplier[i] = to > MURK_CLEAR ? MURK_CLEAR : to > min ? to : min;
+    const size_t slots = b->evaluator->layout->slots;
+    const float *restrict direction = b->subgradient;
+    const float *restrict lowest = b->lowest;
+    const uint16_t *restrict floor = b->multipliers.floor;
+    float *restrict multiplier = b->multiplier;
+    for (size_t i = 0; i < slots; ++i) {
+        const float min = (float)(int)floor[i];
+        const float to = lowest[i] - length * direction[i];
+        const float above = to > min ? to : min;
+        multiplier[i] = to > MURK_CLEAR ? MURK_CLEAR : above;
     }
 }
 

@@ -42,7 +42,8 @@ typedef struct murk_bound {
     double step;
     size_t
         last_count; /* count of sensors that mean and step belong to; 0: none */
-    float *subgradient; /* [slots] of the last evaluation, per weight */
+    float *subgradient; /* [slots] of the last evaluation, per weight; later the
+                           direction of the step */
     murk_multipliers multipliers;
     murk_cover cover; /* of the starting plan, or of the fixed sensors */
     uint64_t *gain;   /* [live_count] weighted part of the row of each live[]

@@ -111,9 +111,24 @@ static void add_dose(const murk_cover *cover, const murk_layout *layout,
     cover->best[slot] = murk_dose_worth(layout->doses, cover->dose[slot]);
 }
 
-/* A row of bits is added to a cover of bits word by word, and a dense row to a
- * single layer without doses slot by slot without branches; in all other cases
- * the row is added entry by entry. */
+/* Adds a row of bits, with or without clarities, to a cover of one layer. */
+static void add_packed(uint16_t *best, const murk_row *row)
+{
+    const uint16_t *p = row->clarity;
+    for (size_t k = 0; k < row->words; ++k) {
+        uint16_t *of_word = best + 64 * murk_row_word(row, k);
+        for (uint64_t left = row->bits[k]; left; left &= left - 1) {
+            const size_t i = (size_t)__builtin_ctzll(left);
+            const uint16_t clarity = p ? *p++ : MURK_CLEAR;
+            of_word[i] = clarity > of_word[i] ? clarity : of_word[i];
+        }
+    }
+}
+
+/* A row of bits is added to a cover of bits word by word. To a single layer
+ * without doses, a dense row is added slot by slot without branches, and a row
+ * of bits without the iterator. In all other cases the row is added entry by
+ * entry. */
 void murk_cover_add(murk_cover *cover, const murk_layout *layout,
                     const murk_row *row)
 {
@@ -128,6 +143,12 @@ void murk_cover_add(murk_cover *cover, const murk_layout *layout,
         for (size_t i = 0; i < layout->slots; ++i) {
             best[i] = row->clarity[i] > best[i] ? row->clarity[i] : best[i];
         }
+        return;
+    }
+    const bool has_bits =
+        row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED;
+    if (has_bits && !cover->full && cover->layers == 1 && !cover->dose) {
+        add_packed(cover->best, row);
         return;
     }
     /* Entry by entry. */

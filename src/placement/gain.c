@@ -183,12 +183,14 @@ void murk_row_count_above(const murk_layout *layout, const murk_row *row,
 {
     /* The Lagrangian bound calls this function at each evaluation, so rows of
      * bits do without the iterator, which is slower. */
-    if (row->kind == MURK_ROW_BITS) {
+    if (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED) {
+        const uint16_t *clarity = row->clarity;
         for (size_t k = 0; k < row->words; ++k) {
             const size_t first = 64 * murk_row_word(row, k);
             for (uint64_t left = row->bits[k]; left; left &= left - 1) {
                 const size_t j = first + (size_t)__builtin_ctzll(left);
-                count[j] = (uint16_t)(count[j] + (best[j] < MURK_CLEAR));
+                const uint16_t given = clarity ? *clarity++ : MURK_CLEAR;
+                count[j] = (uint16_t)(count[j] + (given > best[j]));
             }
         }
         return;

@@ -4,6 +4,7 @@
 #ifndef MURK_PLACEMENT_KERNEL_LOOPS_H
 #define MURK_PLACEMENT_KERNEL_LOOPS_H
 
+#include "placement/kernels.h"
 #include "placement/problem.h"
 
 #ifndef MURK_TARGET
@@ -132,6 +133,31 @@ murk_loop_packed(const uint64_t *row, const uint32_t *at,
                                     false, used)
                   : murk_packed_sum(row, at, clarity, best, NULL, words, false,
                                     used);
+}
+
+MURK_TARGET static inline void
+murk_loop_lanes(const uint64_t *row, const uint32_t *at,
+                const uint16_t *clarity, const uint16_t *best,
+                const uint32_t *weight, size_t words, size_t *used,
+                uint64_t sum[MURK_LANES])
+{
+    const uint16_t *p = clarity;
+    for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+        sum[lane] = 0;
+    }
+    for (size_t k = 0; k < words; ++k) {
+        const size_t first = 64 * murk_word_at(at, k);
+        for (uint64_t left = row[k]; left; left &= left - 1) {
+            const size_t i = first + (size_t)__builtin_ctzll(left);
+            const uint16_t given = clarity ? *p++ : MURK_CLEAR;
+            for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+                sum[lane] +=
+                    murk_gain_term(given, best[MURK_LANES * i + lane], false) *
+                    (weight ? weight[i] : 1);
+            }
+        }
+    }
+    *used = (size_t)(p - clarity);
 }
 
 #endif

@@ -5,7 +5,7 @@
 #include "placement/kernel_loops.h"
 
 static const murk_kernels plain = {murk_loop_count_new, murk_loop_dense,
-                                   murk_loop_packed};
+                                   murk_loop_packed, murk_loop_lanes};
 
 const murk_kernels *murk_kernels_number(size_t k)
 {

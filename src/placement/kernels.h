@@ -11,6 +11,10 @@
 
 #include "placement/problem.h"
 
+/* Covers that lanes() evaluates at once: 16 clarities fill a vector register of
+ * AVX2. */
+#define MURK_LANES 16
+
 typedef struct murk_kernels {
     /* Sum of the weights of the bits that are set in row and not in full; their
      * number with weight NULL. */
@@ -29,6 +33,13 @@ typedef struct murk_kernels {
                        const uint16_t *clarity, const uint16_t *best,
                        const uint32_t *weight, size_t words,
                        bool is_independent, size_t *used);
+    /* The terms max(0, clarity - best) of packed() over MURK_LANES covers at
+     * once: best[slot * MURK_LANES + lane] is aligned to 64 bytes, and
+     * sum[lane] receives the sum over the cover of the lane. */
+    void (*lanes)(const uint64_t *row, const uint32_t *at,
+                  const uint16_t *clarity, const uint16_t *best,
+                  const uint32_t *weight, size_t words, size_t *used,
+                  uint64_t sum[MURK_LANES]);
 } murk_kernels;
 
 /* Version k of those that this processor can run, the portable one first; NULL
@@ -39,6 +50,12 @@ const murk_kernels *murk_kernels_number(size_t k);
  * and vbmi2). NULL if this processor cannot run them. */
 const murk_kernels *murk_kernels_avx2(void);
 const murk_kernels *murk_kernels_avx512(void);
+
+/* lanes() of AVX2, which is also that of AVX-512. */
+void murk_kernels_avx2_lanes(const uint64_t *row, const uint32_t *at,
+                             const uint16_t *clarity, const uint16_t *best,
+                             const uint32_t *weight, size_t words, size_t *used,
+                             uint64_t sum[MURK_LANES]);
 
 /* The last of the versions that murk_kernels_number() lists. */
 const murk_kernels *murk_kernels_fastest(void);

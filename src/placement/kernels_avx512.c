@@ -193,7 +193,8 @@ MURK_TARGET static uint64_t packed(const uint64_t *row, const uint32_t *at,
                : sum_packed(row, at, clarity, best, NULL, words, false, used);
 }
 
-static const murk_kernels avx512 = {count_new, dense, packed};
+static const murk_kernels avx512 = {count_new, dense, packed,
+                                    murk_kernels_avx2_lanes};
 
 const murk_kernels *murk_kernels_avx512(void)
 {

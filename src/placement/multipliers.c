@@ -120,8 +120,10 @@ static uint64_t weigh_chances(murk_multipliers *t)
 
 uint64_t murk_multipliers_set(murk_multipliers *t, const float *multiplier)
 {
-    for (size_t i = 0; i < t->evaluator->layout->slots; ++i) {
-        t->rounded.best[i] = (uint16_t)(multiplier[i] + 0.5F);
+    const size_t slots = t->evaluator->layout->slots;
+    uint16_t *restrict rounded = t->rounded.best;
+    for (size_t i = 0; i < slots; ++i) {
+        rounded[i] = (uint16_t)(int)(multiplier[i] + 0.5F);
     }
     return t->factor ? weigh_chances(t) : weigh_clearest(t);
 }
@@ -195,8 +197,11 @@ static void subgradient_of_clearest(murk_multipliers *t,
             murk_evaluator_row(t->evaluator, 0, chosen[k].candidate);
         murk_row_count_above(layout, &row, t->rounded.best, t->count);
     }
-    for (size_t i = 0; i < layout->slots; ++i) {
+    for (size_t i = 0; layout->layers > 1 && i < layout->slots; ++i) {
         subgradient[i] = (float)layers_below(t, i) - (float)t->count[i];
+    }
+    for (size_t i = 0; layout->layers == 1 && i < layout->slots; ++i) {
+        subgradient[i] = 1 - (float)t->count[i];
     }
 }
 

@@ -26,9 +26,10 @@ bool murk_row_is_clear(const murk_sparse_row *entries)
  * register of AVX-512. */
 #define PACKED_PADDING 64
 
-/* A row of bits is sparse if at most one word in three has a set bit. With more
- * set words the loops over neighbouring words are faster than loops over `at`.
- */
+/* A row of bits without clarities is sparse if at most one word in three has a
+ * set bit. With more set words the loops over neighbouring words are faster
+ * than loops over `at`. A row with clarities is sparse if any word has no set
+ * bit, because a word with clarities takes many times as long. */
 #define WORDS_PER_SPARSE_WORD 3
 
 /* The format of a row, and the sizes that follow from it. */
@@ -57,7 +58,8 @@ static row_format format_of(const murk_layout *layout,
     /* Bits first, sparse where that pays. */
     row_format s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
                     .words = layout->words};
-    s.is_sparse = words_used <= layout->words / WORDS_PER_SPARSE_WORD;
+    s.is_sparse = is_clear ? words_used <= layout->words / WORDS_PER_SPARSE_WORD
+                           : words_used < layout->words;
     if (s.is_sparse) {
         s.words = words_used;
     }

@@ -35,11 +35,12 @@ typedef struct murk_row {
  * i in slot i. */
 murk_row murk_row_borrow(const murk_sparse_row *entries);
 
-/* Stores the entries in the format that needs least memory as a rule, with two
- * exceptions that are faster to evaluate: all words of bits are stored if more
- * than a third of them have a set bit, and a row with entries in more than half
- * of the slots is MURK_ROW_DENSE unless all its clarities are MURK_CLEAR. False
- * when out of memory. The caller frees out->memory. */
+/* Stores the entries in the format that needs least memory as a rule, with
+ * exceptions that are faster to evaluate: of MURK_ROW_BITS all words are stored
+ * if more than a third of them have a set bit, of MURK_ROW_PACKED only words
+ * with a set bit, and a row with entries in more than half of the slots is
+ * MURK_ROW_DENSE unless all its clarities are MURK_CLEAR. False when out of
+ * memory. The caller frees out->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
 /* True if all clarities are MURK_CLEAR. */

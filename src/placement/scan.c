@@ -139,6 +139,13 @@ uint64_t murk_gain_scan_set_all_but(murk_gain_scan *s, const uint32_t *plan,
 static void compute_gains(murk_gain_scan *s, size_t n, uint64_t best)
 {
     const murk_evaluator *o = s->evaluator;
+    /* Gains that a pass for several searches has computed. */
+    if (s->known) {
+        for (size_t k = 0; k < n; ++k) {
+            s->chunk_gain[k] = s->known[s->chunk[k] * s->known_step];
+        }
+        return;
+    }
     /* A partial plan that sees nothing leaves each candidate's value. */
     if (!o->matrix && s->value == 0) {
         for (size_t k = 0; k < n; ++k) {

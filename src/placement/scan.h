@@ -29,6 +29,10 @@ typedef struct murk_gain_scan {
     uint64_t *max; /* [candidates] upper bounds on the gains of this scan; NULL:
                       gains are as fast to compute */
     uint64_t *gain; /* [candidates] of this scan; UINT64_MAX: not evaluated */
+    const uint64_t *known; /* borrowed: known[j * known_step] is the gain of
+                              candidate j in this scan, computed before; NULL:
+                              gains are computed when needed */
+    size_t known_step;
     uint32_t *tie; /* [ties] the candidates with the largest gain, increasing */
     size_t ties;
     uint32_t *shuffle;    /* [candidates] */
@@ -111,9 +115,9 @@ static inline uint64_t murk_gain_scan_slack(const murk_gain_scan *s,
     return s->evaluator->slack ? s->evaluator->slack[candidate] : 0;
 }
 
-/* Computes the gains of the n candidates in s->chunk, into s->gain and
- * s->chunk_gain. Returns the larger of `best` and the largest of these gains.
- */
+/* Computes the gains of the n candidates in s->chunk, or takes the known ones,
+ * into s->gain and s->chunk_gain. Returns the larger of `best` and the largest
+ * of these gains. */
 uint64_t murk_gain_scan_evaluate(murk_gain_scan *s, size_t n, uint64_t best);
 
 /* Fills s->tie with all candidates of the largest gain over the partial plan,

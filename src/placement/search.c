@@ -239,6 +239,126 @@ static bool is_work_spent(murk_gain_scan *s)
     return s->is_cut || murk_interrupted();
 }
 
+/* Begins a sweep: each sensor that is not fixed will move once, in random
+ * order. */
+static void begin_sweep(murk_climb *c, murk_gain_scan *s)
+{
+    c->before = c->value;
+    c->at = 0;
+    draw_order(s->shuffle, c->n - c->fixed, c->seed, c->restart, c->sweep++);
+}
+
+void murk_climb_begin_spoq(murk_climb *c, murk_gain_scan *s, uint32_t *plan,
+                           size_t n, uint32_t seed, uint64_t restart)
+{
+    *c = (murk_climb){.plan = plan,
+                      .is_spoq = true,
+                      .fixed = murk_fixed_count(s->evaluator->set),
+                      .seed = seed,
+                      .restart = restart};
+    c->n = murk_search_draw(s, plan, n, seed, restart);
+    c->value = murk_gain_scan_set_all_but(s, plan, c->n, c->n);
+    begin_sweep(c, s);
+}
+
+/* SPOQ: the next sensor of the sweep. After each sweep a budget is spent; the
+ * climb ends after a sweep without gain. */
+static bool prepare_spoq(murk_climb *c, murk_gain_scan *s)
+{
+    while (c->at == c->n - c->fixed || is_work_spent(s)) {
+        if (murk_has_budget(s->evaluator->set)) {
+            c->value = murk_search_budget_greedy(s, c->plan, c->n);
+            c->n = s->size;
+        }
+        if (!(c->value > c->before) || is_work_spent(s)) {
+            s->size = c->n;
+            return false;
+        }
+        begin_sweep(c, s);
+    }
+    c->mover = c->fixed + s->shuffle[c->at++];
+    return true;
+}
+
+/* SPOQ: the sensor moves to the best candidate, ties at random. */
+static void move_spoq(murk_climb *c, const murk_gain_scan *s)
+{
+    uint32_t word[4];
+    murk_random_words(c->seed, MURK_SPOQ_TIE, c->restart, c->step++, 0, word);
+    c->plan[c->mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
+}
+
+/* Begins to relocate the sensors of plan[c->n] one after the other. */
+static void begin_moves(murk_climb *c, murk_gain_scan *s)
+{
+    c->value = c->n == c->fixed
+                   ? murk_gain_scan_set_all_but(s, c->plan, c->n, c->n)
+                   : 0;
+    c->at = 0;
+    c->still = 0;
+}
+
+void murk_climb_begin_relocation(murk_climb *c, murk_gain_scan *s,
+                                 uint32_t *plan, size_t n)
+{
+    *c = (murk_climb){
+        .plan = plan, .n = n, .fixed = murk_fixed_count(s->evaluator->set)};
+    murk_search_begin(s, plan, n, n);
+    begin_moves(c, s);
+}
+
+/* True while a sensor may still move. At least one scan is made, so that the
+ * value is known. */
+static bool may_move(const murk_climb *c, murk_gain_scan *s)
+{
+    return c->still < c->n - c->fixed && !(c->value > 0 && is_work_spent(s)) &&
+           !murk_interrupted();
+}
+
+/* Relocation: the next sensor. When none moves any more, the rest of a budget
+ * is spent, and the moves begin again if that increased the value. */
+static bool prepare_relocation(murk_climb *c, murk_gain_scan *s)
+{
+    while (!may_move(c, s)) {
+        s->size = c->n;
+        if (!murk_has_budget(s->evaluator->set) || murk_interrupted()) {
+            return false;
+        }
+        const uint64_t before = c->value;
+        c->value = murk_search_budget_greedy(s, c->plan, c->n);
+        c->n = s->size;
+        if (c->value == before) {
+            return false;
+        }
+        begin_moves(c, s);
+    }
+    c->mover = c->fixed + c->at;
+    c->at = (c->at + 1) % (c->n - c->fixed);
+    return true;
+}
+
+/* Relocation: the sensor moves to the best candidate, the lowest index on ties,
+ * but stays if no other candidate gives more. */
+static void move_relocated(murk_climb *c, const murk_gain_scan *s,
+                           uint64_t best)
+{
+    if (best > 0 && s->gain[c->plan[c->mover]] != best) {
+        c->plan[c->mover] = s->tie[0];
+        c->still = 0;
+    }
+    ++c->still; /* a sensor that has just moved is at the best candidate */
+}
+
+bool murk_climb_prepare(murk_climb *c, murk_gain_scan *s)
+{
+    if (!(c->is_spoq ? prepare_spoq(c, s) : prepare_relocation(c, s))) {
+        return false;
+    }
+    s->is_move = true;
+    c->others = murk_gain_scan_set_all_but(s, c->plan, c->n, c->mover);
+    return true;
+}
+
 /* The gain of a sensor in a plan of this value over the others; 0 if the value
  * of the plan is not known yet. */
 static uint64_t gain_above(uint64_t value, uint64_t others)
@@ -246,81 +366,38 @@ static uint64_t gain_above(uint64_t value, uint64_t others)
     return value > others ? value - others : 0;
 }
 
+void murk_climb_move(murk_climb *c, murk_gain_scan *s)
+{
+    const uint64_t best =
+        murk_gain_scan_find_move(s, c->others, gain_above(c->value, c->others));
+    c->value = c->others + best;
+    if (c->is_spoq) {
+        move_spoq(c, s);
+    } else {
+        move_relocated(c, s, best);
+    }
+}
+
+/* Makes all steps of a climb. Returns the value of the plan. */
+static uint64_t climb(murk_climb *c, murk_gain_scan *s)
+{
+    while (murk_climb_prepare(c, s)) {
+        murk_climb_move(c, s);
+    }
+    return c->value;
+}
+
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart)
 {
-    n = murk_search_draw(s, plan, n, seed, restart);
-    const size_t fixed = murk_fixed_count(s->evaluator->set);
-    uint64_t value = murk_gain_scan_set_all_but(s, plan, n, n);
-    uint64_t before;
-    uint32_t sweep = 0, step = 0;
-    do {
-        before = value;
-        /* One sweep: each sensor moves to the best candidate, ties at random.
-         */
-        draw_order(s->shuffle, n - fixed, seed, restart, sweep++);
-        for (size_t k = 0; k < n - fixed && !is_work_spent(s); ++k) {
-            const size_t mover = fixed + s->shuffle[k];
-            s->is_move = true;
-            const uint64_t others =
-                murk_gain_scan_set_all_but(s, plan, n, mover);
-            value = others + murk_gain_scan_find_move(
-                                 s, others, gain_above(value, others));
-            uint32_t word[4];
-            murk_random_words(seed, MURK_SPOQ_TIE, restart, step++, 0, word);
-            plan[mover] = s->tie[murk_random_below(word[0], (uint32_t)s->ties)];
-        }
-        /* With a budget, spend the rest of it. */
-        if (murk_has_budget(s->evaluator->set)) {
-            value = murk_search_budget_greedy(s, plan, n);
-            n = s->size;
-        }
-    } while (value > before && !is_work_spent(s));
-    s->size = n;
-    return value;
-}
-
-/* Relocates single sensors until no move increases the value, the limit on work
- * is spent, or the run is interrupted. Returns the value. */
-static uint64_t relocate_sensors(murk_gain_scan *s, uint32_t *plan, size_t n)
-{
-    const size_t fixed = murk_fixed_count(s->evaluator->set),
-                 movers = n - fixed;
-    if (movers == 0) {
-        return murk_gain_scan_set_all_but(s, plan, n, n);
-    }
-    uint64_t value = 0;
-    size_t still = 0; /* sensors in a row that did not move */
-    s->is_move = true;
-    for (size_t at = 0; still < movers && !(value > 0 && is_work_spent(s)) &&
-                        !murk_interrupted();
-         at = (at + 1) % movers) {
-        const size_t k = fixed + at;
-        const uint64_t others = murk_gain_scan_set_all_but(s, plan, n, k);
-        const uint64_t best =
-            murk_gain_scan_find_move(s, others, gain_above(value, others));
-        value = others + best;
-        if (best > 0 && s->gain[plan[k]] != best) {
-            plan[k] = s->tie[0];
-            still = 0;
-        }
-        ++still; /* a sensor that has just moved is at the best candidate */
-    }
-    return value;
+    murk_climb c;
+    murk_climb_begin_spoq(&c, s, plan, n, seed, restart);
+    return climb(&c, s);
 }
 
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n)
 {
-    murk_search_begin(s, plan, n, n);
-    uint64_t value = relocate_sensors(s, plan, n);
-    s->size = n;
-    while (murk_has_budget(s->evaluator->set) && !murk_interrupted()) {
-        const uint64_t before = value;
-        value = murk_search_budget_greedy(s, plan, s->size);
-        if (value == before) {
-            break;
-        }
-        value = relocate_sensors(s, plan, s->size);
-    }
-    return value;
+    murk_climb c;
+    murk_climb_begin_relocation(&c, s, plan, n);
+    return climb(&c, s);
 }

@@ -57,6 +57,38 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
  * work (placement/scan.h) ended the search, which then sets s->is_cut. */
 uint64_t murk_search_relocate(murk_gain_scan *s, uint32_t *plan, size_t n);
 
+/* The same two searches step by step: a climb alternates between
+ * murk_climb_prepare() and murk_climb_move(), so that several climbs can share
+ * a pass over the rows (placement/lanes.h). */
+typedef struct murk_climb {
+    uint32_t *plan;
+    size_t n, fixed; /* sensors of the plan; those that never move come first */
+    bool is_spoq;    /* else relocation */
+    uint64_t value;  /* of the plan */
+    uint64_t others; /* of the plan without the mover */
+    size_t mover;    /* sensor under consideration */
+    size_t at;       /* SPOQ: steps made in the sweep; relocation: the next
+                        sensor */
+    uint32_t seed, sweep, step; /* SPOQ only, as the next two */
+    uint64_t restart;
+    uint64_t before; /* value at the beginning of the sweep */
+    size_t still;    /* relocation: sensors in a row that did not move */
+} murk_climb;
+
+/* Borrow plan[], which has space for a plan. The same scan must take part in
+ * all steps of a climb. */
+void murk_climb_begin_spoq(murk_climb *climb, murk_gain_scan *s, uint32_t *plan,
+                           size_t n, uint32_t seed, uint64_t restart);
+void murk_climb_begin_relocation(murk_climb *climb, murk_gain_scan *s,
+                                 uint32_t *plan, size_t n);
+
+/* Makes the partial plan of the next step. False at the end of the climb;
+ * climb->value and s->size then describe the plan. */
+bool murk_climb_prepare(murk_climb *climb, murk_gain_scan *s);
+
+/* Scans the candidates and moves the sensor. */
+void murk_climb_move(murk_climb *climb, murk_gain_scan *s);
+
 /* With a budget: extends plan[given]. Each step adds, of the candidates that
  * can be added, the one with the largest gain per cost. If none has a gain, the
  * step adds the cheapest candidate of the first class whose minimum count is

@@ -1,13 +1,18 @@
 /* SPOQ starts, each followed by relocation. Several run at once, with the same
- * result as one after the other. */
+ * result as one after the other: each thread makes a start of its own, or, with
+ * rows of clarities, several starts share each pass over the rows
+ * (placement/lanes.h). */
 #ifndef MURK_PLACEMENT_STARTS_H
 #define MURK_PLACEMENT_STARTS_H
 
+#include "placement/lanes.h"
 #include "placement/search.h"
 
 typedef struct murk_starts {
-    murk_gain_scan *search; /* [workers] */
-    unsigned workers;
+    murk_gain_scan *search; /* [searches] */
+    unsigned searches;      /* starts that are made at the same time */
+    bool has_lanes;         /* the searches share each pass over the rows */
+    murk_lanes lanes;
     size_t wave_max; /* starts made before the first of them is accepted */
     size_t count;    /* maximum number of sensors of a plan */
     uint32_t *plan;  /* [wave_max][count] */

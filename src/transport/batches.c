@@ -68,7 +68,8 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
         trace->tallies ? murk_tallies_scorer(trace->tallies, worker) : NULL;
     /* Trace the photons side by side, or one by one. */
     if (r->lanes) {
-        murk_lanes_trace(r->lanes, &r->setup, &s, batch, first, first + n);
+        murk_photon_lanes_trace(r->lanes, &r->setup, &s, batch, first,
+                                first + n);
     }
     for (uint64_t i = 0; !r->lanes && i < n && !murk_interrupted(); ++i) {
         murk_walk_photon(&r->setup, &s, batch, first + i);
@@ -98,7 +99,7 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
         return;
     }
     run r = {.setup = murk_walk_setup_of(trace), .ledger = ledger};
-    r.lanes = murk_lanes_for(&r.setup);
+    r.lanes = murk_photon_lanes_for(&r.setup);
     const uint64_t photons = trace->last - trace->first;
     murk_pool_run_workers(
         trace->threads, (photons + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS,

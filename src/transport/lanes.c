@@ -1,11 +1,11 @@
 /* The bookkeeping of photons side by side (transport/lanes.h).
  *
- * Each lane has a walker and, in the arrays of murk_lanes, the part of the
- * walker that a collision changes. A step draws a collision for all lanes. The
- * lanes whose photon meets something else than a medium, and those whose photon
- * is absorbed, are then treated one by one: the walker finds the event anew
- * from the same random numbers, and a photon that has ended is replaced by the
- * next one of the batch. When no photon is left to begin, the lane that was
+ * Each lane has a walker and, in the arrays of murk_photon_lanes, the part of
+ * the walker that a collision changes. A step draws a collision for all lanes.
+ * The lanes whose photon meets something else than a medium, and those whose
+ * photon is absorbed, are then treated one by one: the walker finds the event
+ * anew from the same random numbers, and a photon that has ended is replaced by
+ * the next one of the batch. When no photon is left to begin, the lane that was
  * filled last moves into the gap. */
 #include "transport/lanes.h"
 
@@ -28,11 +28,12 @@ typedef struct lane_batch {
     bool has_other_phases; /* some lane has another phase function than that of
                             * Henyey and Greenstein */
     size_t n;              /* lanes in use: the first n */
-    murk_lanes lanes;
+    murk_photon_lanes lanes;
     murk_lane_rays before; /* the rays before the step, if is_watched */
-    murk_walker walker[MURK_LANES];
-    const murk_phase *phase[MURK_LANES]; /* of the medium of the collision */
-    double scattering_per_m[MURK_LANES];
+    murk_walker walker[MURK_PHOTON_LANES];
+    const murk_phase
+        *phase[MURK_PHOTON_LANES]; /* of the medium of the collision */
+    double scattering_per_m[MURK_PHOTON_LANES];
 } lane_batch;
 
 /* ---- between walker and lane ---- */
@@ -52,7 +53,7 @@ static void settle(lane_batch *b, size_t i)
 /* Brings the walker to the state of the lane. */
 static void take_out(lane_batch *b, size_t i)
 {
-    const murk_lanes *l = &b->lanes;
+    const murk_photon_lanes *l = &b->lanes;
     murk_walker *w = &b->walker[i];
     w->path.position = w->probe =
         murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
@@ -82,7 +83,7 @@ static void set_medium(lane_batch *b, size_t i, const murk_collision *c)
 static void put_in(lane_batch *b, size_t i)
 {
     murk_walker *w = &b->walker[i];
-    murk_lanes *l = &b->lanes;
+    murk_photon_lanes *l = &b->lanes;
     l->ray.x[i] = w->path.position.x;
     l->ray.y[i] = w->path.position.y;
     l->ray.z[i] = w->path.position.z;
@@ -139,7 +140,7 @@ static void replace(lane_batch *b, size_t i, murk_fate fate)
 /* The free flights in media that are not a single even one. */
 static void fly_each(lane_batch *b)
 {
-    murk_lanes *l = &b->lanes;
+    murk_photon_lanes *l = &b->lanes;
     const murk_lane_rays *ray = &l->ray;
     for (size_t i = 0; i < b->n; ++i) {
         const murk_walker *w = &b->walker[i];
@@ -174,7 +175,7 @@ static void sample_other_phases(lane_batch *b)
 /* Scores and reports the collision of a lane, as scatter() of walk.c does. */
 static void watch(lane_batch *b, size_t i)
 {
-    const murk_lanes *l = &b->lanes;
+    const murk_photon_lanes *l = &b->lanes;
     const murk_lane_rays *from = &b->before;
     murk_walker *w = &b->walker[i];
     const murk_vec3 start = {from->x[i], from->y[i], from->z[i]};
@@ -240,7 +241,7 @@ static void finish(lane_batch *b, size_t i)
 /* One event of each photon. */
 static void step(lane_batch *b)
 {
-    murk_lanes *l = &b->lanes;
+    murk_photon_lanes *l = &b->lanes;
     const size_t n = b->n + (MURK_LANE_GROUP - 1);
     if (b->is_watched) {
         b->before = l->ray;
@@ -263,7 +264,7 @@ static void step(lane_batch *b)
     }
 }
 
-const murk_lane_steps *murk_lanes_for(const murk_walk_setup *setup)
+const murk_lane_steps *murk_photon_lanes_for(const murk_walk_setup *setup)
 {
     const murk_trace *trace = setup->trace;
     const murk_path_space *space = &setup->space;
@@ -274,9 +275,9 @@ const murk_lane_steps *murk_lanes_for(const murk_walk_setup *setup)
     return suits ? murk_lane_steps_chosen() : NULL;
 }
 
-void murk_lanes_trace(const murk_lane_steps *steps,
-                      const murk_walk_setup *setup, murk_sums *sums,
-                      uint64_t batch, uint64_t first, uint64_t last)
+void murk_photon_lanes_trace(const murk_lane_steps *steps,
+                             const murk_walk_setup *setup, murk_sums *sums,
+                             uint64_t batch, uint64_t first, uint64_t last)
 {
     const murk_trace *trace = setup->trace;
     lane_batch b;
@@ -302,7 +303,7 @@ void murk_lanes_trace(const murk_lane_steps *steps,
     b.has_other_phases = false;
     /* Begin a photon in each lane. */
     b.n = 0;
-    while (b.n < MURK_LANES &&
+    while (b.n < MURK_PHOTON_LANES &&
            begin(&b, b.n, sums->scorer ? &sums->scorer->path[b.n] : NULL)) {
         ++b.n;
     }

@@ -25,7 +25,8 @@
 #define FOR_LANES(n) \
     for (size_t i = 0; i < ((n) & ~(size_t)(MURK_LANE_GROUP - 1)); ++i)
 
-KERNEL draw(murk_lanes *restrict l, const murk_lane_facts *facts, size_t n)
+KERNEL draw(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
+            size_t n)
 {
     const uint32_t seed = facts->seed, purpose = facts->purpose;
     FOR_LANES(n)
@@ -52,7 +53,7 @@ static inline double truth(bool is_true)
 }
 
 /* As murk_media_fly() in a single even medium. */
-KERNEL fly(murk_lanes *restrict l, size_t n)
+KERNEL fly(murk_photon_lanes *restrict l, size_t n)
 {
     FOR_LANES(n)
     {
@@ -65,7 +66,8 @@ KERNEL fly(murk_lanes *restrict l, size_t n)
     }
 }
 
-KERNEL collide(murk_lanes *restrict l, const murk_lane_facts *facts, size_t n)
+KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
+               size_t n)
 {
     const murk_path_sides sides = facts->sides;
     const double events_max = facts->events_max;
@@ -111,7 +113,7 @@ KERNEL collide(murk_lanes *restrict l, const murk_lane_facts *facts, size_t n)
     }
 }
 
-KERNEL turn(murk_lanes *restrict l, size_t n)
+KERNEL turn(murk_photon_lanes *restrict l, size_t n)
 {
     murk_lane_rays *restrict ray = &l->ray;
     FOR_LANES(n)
@@ -127,26 +129,26 @@ KERNEL turn(murk_lanes *restrict l, size_t n)
 }
 
 /* One function of each kernel for an instruction set, and the row of them. */
-#define MURK_COMPILED_FOR(set, target)                                         \
-    target static void draw_##set(murk_lanes *l, const murk_lane_facts *facts, \
-                                  size_t n)                                    \
-    {                                                                          \
-        draw(l, facts, n);                                                     \
-    }                                                                          \
-    target static void fly_##set(murk_lanes *l, size_t n)                      \
-    {                                                                          \
-        fly(l, n);                                                             \
-    }                                                                          \
-    target static void collide_##set(murk_lanes *l,                            \
-                                     const murk_lane_facts *facts, size_t n)   \
-    {                                                                          \
-        collide(l, facts, n);                                                  \
-    }                                                                          \
-    target static void turn_##set(murk_lanes *l, size_t n)                     \
-    {                                                                          \
-        turn(l, n);                                                            \
-    }                                                                          \
-    static const murk_lane_steps steps_##set = {draw_##set, fly_##set,         \
+#define MURK_COMPILED_FOR(set, target)                                       \
+    target static void draw_##set(murk_photon_lanes *l,                      \
+                                  const murk_lane_facts *facts, size_t n)    \
+    {                                                                        \
+        draw(l, facts, n);                                                   \
+    }                                                                        \
+    target static void fly_##set(murk_photon_lanes *l, size_t n)             \
+    {                                                                        \
+        fly(l, n);                                                           \
+    }                                                                        \
+    target static void collide_##set(murk_photon_lanes *l,                   \
+                                     const murk_lane_facts *facts, size_t n) \
+    {                                                                        \
+        collide(l, facts, n);                                                \
+    }                                                                        \
+    target static void turn_##set(murk_photon_lanes *l, size_t n)            \
+    {                                                                        \
+        turn(l, n);                                                          \
+    }                                                                        \
+    static const murk_lane_steps steps_##set = {draw_##set, fly_##set,       \
                                                 collide_##set, turn_##set};
 
 MURK_COMPILED_FOR(baseline, )

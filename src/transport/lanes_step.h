@@ -12,10 +12,10 @@
 /* Lanes, and the granularity of their number: a step takes a multiple of
  * MURK_LANE_GROUP lanes, so that loops fill the registers. Neither enters a
  * result, because a photon knows nothing of the other lanes. */
-#define MURK_LANES      32
-#define MURK_LANE_GROUP 8
+#define MURK_PHOTON_LANES 32
+#define MURK_LANE_GROUP   8
 
-typedef double murk_lane_number[MURK_LANES];
+typedef double murk_lane_number[MURK_PHOTON_LANES];
 
 /* The rays of the photons and their packets. */
 typedef struct murk_lane_rays {
@@ -25,20 +25,20 @@ typedef struct murk_lane_rays {
 
 /* Truth values are numbers, 1 or 0, which keeps loops to one size of element.
  */
-typedef struct murk_lanes {
+typedef struct murk_photon_lanes {
     /* The photon. */
     murk_lane_rays ray;
     murk_lane_number kept; /* quanta that the medium met last has kept and that
                             * are not yet in the ledger */
-    uint32_t photon_low[MURK_LANES], photon_high[MURK_LANES];
-    uint32_t number[MURK_LANES]; /* of the event */
+    uint32_t photon_low[MURK_PHOTON_LANES], photon_high[MURK_PHOTON_LANES];
+    uint32_t number[MURK_PHOTON_LANES]; /* of the event */
     murk_lane_number
         is_new; /* no collision since the walker of the lane moved */
 
     /* The random words of this event. The first gives the optical depth tau to
      * the collision. */
-    uint32_t word_depth[MURK_LANES], word_medium[MURK_LANES];
-    uint32_t word_roulette[MURK_LANES], word_cosine[MURK_LANES];
+    uint32_t word_depth[MURK_PHOTON_LANES], word_medium[MURK_PHOTON_LANES];
+    uint32_t word_roulette[MURK_PHOTON_LANES], word_cosine[MURK_PHOTON_LANES];
     murk_lane_number tau;
 
     /* The free flight: the length that it may have, and, if it ends in a medium
@@ -50,7 +50,7 @@ typedef struct murk_lanes {
 
     /* The outcome of a collision. */
     murk_lane_number scatters, cosine, azimuth;
-} murk_lanes;
+} murk_photon_lanes;
 
 /* The facts that all lanes share. */
 typedef struct murk_lane_facts {
@@ -65,15 +65,17 @@ typedef struct murk_lane_facts {
  * MURK_LANE_GROUP. */
 typedef struct murk_lane_steps {
     /* Draws the random numbers of the next event. */
-    void (*draw)(murk_lanes *lanes, const murk_lane_facts *facts, size_t n);
+    void (*draw)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
+                 size_t n);
     /* The free flight in a single even medium. */
-    void (*fly)(murk_lanes *lanes, size_t n);
+    void (*fly)(murk_photon_lanes *lanes, size_t n);
     /* Moves to the collision, splits the packet or decides by roulette, and
      * draws the cosine by Henyey and Greenstein. A photon with too many events
      * does not meet: it is the walker's. */
-    void (*collide)(murk_lanes *lanes, const murk_lane_facts *facts, size_t n);
+    void (*collide)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
+                    size_t n);
     /* Turns the direction. */
-    void (*turn)(murk_lanes *lanes, size_t n);
+    void (*turn)(murk_photon_lanes *lanes, size_t n);
 } murk_lane_steps;
 
 /* The steps for the fastest vector instruction set of this processor. The

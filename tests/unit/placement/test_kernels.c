@@ -93,6 +93,34 @@ static void check_bits(const murk_kernels *f, const arrays *a,
     }
 }
 
+/* Sums over all lanes at once. The covers of the lanes are made of best[]:
+ * lane l of a slot has the clarity of the slot l places farther on. */
+static void check_lanes(const murk_kernels *f, const arrays *a,
+                        const uint32_t *at, size_t words, size_t slots)
+{
+    const murk_kernels *p = murk_kernels_number(0);
+    uint16_t *best = aligned_alloc(64, 2 * slots * MURK_LANES + 64);
+    for (size_t i = 0; i < slots * MURK_LANES; ++i) {
+        best[i] = a->best[(i / MURK_LANES + i % MURK_LANES) % slots];
+    }
+    for (int form = 0; form < 4; ++form) {
+        const uint16_t *clarity = form / 2 ? a->packed : NULL;
+        const uint32_t *weight = form % 2 ? a->weight : NULL;
+        uint64_t sum[2][MURK_LANES];
+        size_t used[2] = {0};
+        p->lanes(a->row, at, clarity, best, weight, words, &used[0], sum[0]);
+        f->lanes(a->row, at, clarity, best, weight, words, &used[1], sum[1]);
+        CHECK(memcmp(sum[0], sum[1], sizeof sum[0]) == 0);
+        CHECK(used[0] == used[1]);
+        /* Lane 0 has the cover of the other loops. */
+        size_t alone = 0;
+        CHECK(sum[0][0] == p->packed(a->row, at, clarity, a->best, weight,
+                                     words, false, &alone));
+        CHECK(used[0] == alone);
+    }
+    free(best);
+}
+
 static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
 {
     const murk_kernels *p = murk_kernels_number(0);
@@ -104,11 +132,17 @@ static void check_same(const murk_kernels *f, size_t words, bool is_extreme)
               f->dense(a.dense, a.best, weight, n, form > 1));
     }
     check_bits(f, &a, NULL, words);
+    if (words > 0 && words < 5000) {
+        check_lanes(f, &a, NULL, words, n);
+    }
     uint32_t *at = malloc((words / 2 + 1) * sizeof *at);
     for (size_t k = 0; k < words / 2; ++k) {
         at[k] = (uint32_t)(2 * k + word_at(k, 8) % 2);
     }
     check_bits(f, &a, at, words / 2);
+    if (words > 0 && words < 5000) {
+        check_lanes(f, &a, at, words / 2, n);
+    }
     free(at);
     arrays_release(&a);
 }
@@ -158,6 +192,7 @@ int main(void)
         /* lanes of 32 bits must be emptied in time */
         check_same(f, 40000, true);
         check_same(f, 3001, false);
+        check_same(f, 3001, true);
     }
     return check_done();
 }
