@@ -38,15 +38,15 @@ typedef struct lane_batch {
 
 /* ---- between walker and lane ---- */
 
-/* Adds the quanta that the medium of the photon has kept to the ledger. */
+/* Adds the quanta that the medium of the photon has absorbed to the ledger. */
 static void settle(lane_batch *b, size_t i)
 {
     const murk_walker *w = &b->walker[i];
-    const int64_t kept = (int64_t)b->lanes.kept[i];
-    if (kept > 0) {
-        b->sums->ended[w->channel][MURK_FATE_MEDIA] += kept;
-        murk_walker_keep(w, w->absorber, kept);
-        b->lanes.kept[i] = 0;
+    const int64_t absorbed = (int64_t)b->lanes.absorbed[i];
+    if (absorbed > 0) {
+        b->sums->ended[w->channel][MURK_FATE_MEDIA] += absorbed;
+        murk_walker_keep(w, w->absorber, absorbed);
+        b->lanes.absorbed[i] = 0;
     }
 }
 
@@ -91,7 +91,7 @@ static void put_in(lane_batch *b, size_t i)
     l->ray.dy[i] = w->path.direction.y;
     l->ray.dz[i] = w->path.direction.z;
     l->ray.quanta[i] = (double)w->quanta;
-    l->kept[i] = 0;
+    l->absorbed[i] = 0;
     l->photon_low[i] = (uint32_t)w->photon;
     l->photon_high[i] = (uint32_t)(w->photon >> 32);
     l->number[i] = w->number;
@@ -181,6 +181,7 @@ static void watch(lane_batch *b, size_t i)
     const murk_vec3 start = {from->x[i], from->y[i], from->z[i]};
     const murk_vec3 arriving = {from->dx[i], from->dy[i], from->dz[i]};
     const double before = from->quanta[i];
+    /* The segment to the collision. */
     w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
     if (w->score) {
         murk_score_segment(w->score, start, arriving, l->distance_m[i], before,

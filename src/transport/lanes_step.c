@@ -105,7 +105,7 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
         const bool survives =
             (is_split & (left > 0)) | (!is_split & (u < albedo));
         ray->quanta[i] = after;
-        l->kept[i] += before - after;
+        l->absorbed[i] += before - after;
         l->scatters[i] = truth(meets & survives);
         l->azimuth[i] = is_split ? u : u / albedo;
         l->is_new[i] = meets ? 0 : l->is_new[i];

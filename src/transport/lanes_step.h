@@ -28,8 +28,8 @@ typedef struct murk_lane_rays {
 typedef struct murk_photon_lanes {
     /* The photon. */
     murk_lane_rays ray;
-    murk_lane_number kept; /* quanta that the medium met last has kept and that
-                            * are not yet in the ledger */
+    murk_lane_number absorbed; /* quanta that the medium met last has absorbed
+                                * and that are not yet in the ledger */
     uint32_t photon_low[MURK_PHOTON_LANES], photon_high[MURK_PHOTON_LANES];
     uint32_t number[MURK_PHOTON_LANES]; /* of the event */
     murk_lane_number

@@ -74,16 +74,16 @@ static const murk_tally_desc descs[] = {{.name = "grid",
 
 #define DESCS (sizeof descs / sizeof *descs)
 
-/* One way to trace. */
-typedef struct way {
+/* The settings of a run. */
+typedef struct run {
     const char *lanes; /* value of MURK_LANES */
     unsigned threads;
     double least_weight;
     uint32_t events_max;
     bool has_tallies, has_sink;
-} way;
+} run;
 
-static outcome *traced(const test_setup *setup, way given)
+static outcome *traced(const test_setup *setup, run given)
 {
     outcome *o = calloc(1, sizeof *o);
     test_world w = test_world_made(setup);
@@ -142,7 +142,7 @@ static outcome *traced(const test_setup *setup, way given)
 }
 
 /* Every instruction set and one or two threads against one by one. */
-static void compare(const char *name, const test_setup *setup, way given)
+static void compare(const char *name, const test_setup *setup, run given)
 {
     given.lanes = "off";
     given.threads = 1;
@@ -163,12 +163,12 @@ static void compare(const char *name, const test_setup *setup, way given)
     free(one_by_one);
 }
 
-static void compare_ways(const char *name, const test_setup *setup)
+static void compare_runs(const char *name, const test_setup *setup)
 {
     const double weight[] = {1, 0.3, 0.001};
     for (size_t i = 0; i < 3; ++i) {
         for (int watched = 0; watched < 4; watched += 3) {
-            const way given = {.least_weight = weight[i],
+            const run given = {.least_weight = weight[i],
                                .events_max = 100000,
                                .has_tallies = watched & 1,
                                .has_sink = watched & 2};
@@ -176,7 +176,7 @@ static void compare_ways(const char *name, const test_setup *setup)
         }
     }
     /* Photons that are lost after few events. */
-    const way given = {
+    const run given = {
         .least_weight = 0.001, .events_max = 4, .has_sink = true};
     compare(name, setup, given);
 }
@@ -185,6 +185,8 @@ static const murk_domain domain = {{{0, 0, 0}, {4, 4, 4}}, false};
 
 static void test_media(void)
 {
+    /* Media with phase functions of several kinds, and one without extinction.
+     */
     const murk_source lamp[] = {
         test_point(murk_vec(1, 2, 0.5)),
         test_beam(murk_vec(2, 2, 0), murk_vec(0, 0, 1))};
@@ -202,6 +204,7 @@ static void test_media(void)
     const murk_region of_air = test_everywhere(2);
     const murk_region several[] = {test_everywhere(1), part,
                                    test_ball_region(2, murk_vec(2, 2, 2), 1)};
+    /* One region or several; one lamp or two. */
     const struct {
         const char *name;
         const murk_region *region;
@@ -219,7 +222,7 @@ static void test_media(void)
                                   .n_media = 4,
                                   .regions = worlds[i].region,
                                   .n_regions = worlds[i].n};
-        compare_ways(worlds[i].name, &setup);
+        compare_runs(worlds[i].name, &setup);
     }
 }
 
@@ -235,7 +238,7 @@ static void test_periodic_domain(void)
                               .n_media = 1,
                               .regions = &everywhere,
                               .n_regions = 1};
-    compare_ways("periodic", &setup);
+    compare_runs("periodic", &setup);
 }
 
 int main(void)
