@@ -226,33 +226,34 @@ static size_t list_present(const span *spans, size_t n, double from, double to,
     return n_present;
 }
 
-/* The 2 n ends of the segments in rising order (insertion sort: n is small). */
-static void sort_ends(const span *spans, size_t n, double *ends)
+/* The nearest end of a segment beyond `from`; false if there is none. */
+static bool next_end(const span *spans, size_t n, double from, double *next)
 {
-    size_t n_ends = 0;
-    for (size_t i = 0; i < 2 * n; ++i) {
-        const double end = i & 1 ? spans[i / 2].to : spans[i / 2].from;
-        size_t at = n_ends++;
-        /* cppcheck-suppress uninitvar ; the first n_ends are filled */
-        for (; at > 0 && ends[at - 1] > end; --at) {
-            ends[at] = ends[at - 1];
-        }
-        ends[at] = end;
+    bool any = false;
+    double nearest = INFINITY; /* a segment may end there, too */
+    for (size_t i = 0; i < n; ++i) {
+        const double begin = spans[i].from, end = spans[i].to;
+        const double ahead = begin > from ? begin : end;
+        any = any || ahead > from;
+        nearest = ahead > from && ahead < nearest ? ahead : nearest;
     }
+    *next = nearest;
+    return any;
 }
 
+/* Crosses overlapping segments from end to end. Most flights collide in the
+ * first interval, so the ends are not sorted in advance. */
 static bool cross_overlapping(ray *r, const span *spans, size_t n)
 {
-    double ends[2 * SPANS_MAX];
     const murk_place *present[MURK_REGIONS_MAX];
-    sort_ends(spans, n, ends);
-    for (size_t i = 0; i + 1 < 2 * n; ++i) {
-        if (ends[i] < ends[i + 1]) {
-            const size_t n_present =
-                list_present(spans, n, ends[i], ends[i + 1], present);
-            if (cross_piece(r, ends[i], ends[i + 1], present, n_present)) {
-                return true;
-            }
+    double from = spans[0].from, to;
+    for (size_t i = 1; i < n; ++i) {
+        from = spans[i].from < from ? spans[i].from : from;
+    }
+    for (; next_end(spans, n, from, &to); from = to) {
+        const size_t n_present = list_present(spans, n, from, to, present);
+        if (cross_piece(r, from, to, present, n_present)) {
+            return true;
         }
     }
     return false;
@@ -316,8 +317,13 @@ static bool cross_media(ray *r, double length_m)
         if (!murk_place_may_hold(place, i, r->inside)) {
             continue;
         }
+        /* A flight that goes on beyond the domain does not count (walk.c of
+         * transport), so it need not be clipped to a box around the domain. */
         double from = 0, to = length_m;
-        if (murk_place_clip(place, &r->origin, &r->direction, &from, &to)) {
+        const bool is_whole =
+            place->is_around && r->limit < INFINITY && length_m > 0;
+        if (is_whole ||
+            murk_place_clip(place, &r->origin, &r->direction, &from, &to)) {
             n = add_spans(r, place, from, to, spans, n);
         }
     }

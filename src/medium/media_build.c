@@ -232,6 +232,10 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
                              "above 0 and all numbers finite");
         }
         ++media->n_places;
+        place->is_around = place->shape == MURK_REGION_BOX &&
+                           !place->is_moved &&
+                           murk_box_contains(&place->box, domain->min) &&
+                           murk_box_contains(&place->box, domain->max);
         warn_outside(place, domain, where);
         for (int band = 0; band < MURK_BANDS_MAX; ++band) {
             media->in_band[band] |= !has_no_density(medium, band) &&
@@ -284,14 +288,11 @@ static murk_status boundary_all(murk_media *media, const murk_region *regions,
 /* True if one homogeneous medium fills the domain. free_flight.c has a short
  * cut for such media. A photon does not leave the domain, so a box around the
  * domain is as good as a region that is everywhere. */
-static bool is_even(const murk_media *media, const murk_box *domain)
+static bool is_even(const murk_media *media)
 {
     const murk_place *only = &media->places[0];
-    const bool is_around = only->shape == MURK_REGION_EVERYWHERE ||
-                           (only->shape == MURK_REGION_BOX && !only->is_moved &&
-                            murk_box_contains(&only->box, domain->min) &&
-                            murk_box_contains(&only->box, domain->max));
-    return media->n_places == 1 && is_around &&
+    return media->n_places == 1 &&
+           (only->shape == MURK_REGION_EVERYWHERE || only->is_around) &&
            only->filling == MURK_FILLED_EVENLY &&
            !media->media[only->medium].albedo_grid;
 }
@@ -337,7 +338,7 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
         memcpy(made->media, media, n_media * sizeof *media);
     }
     status = place_all(made, regions, n_regions, domain, err);
-    made->is_even = is_even(made, domain);
+    made->is_even = is_even(made);
     if (!status) {
         status = boundary_all(made, regions, n_regions, domain, err);
     }

@@ -30,9 +30,11 @@ typedef struct murk_place {
     murk_region_shape shape;
     murk_filling filling;
     bool replaces;
-    bool is_moved; /* to_local is not the identity */
-    murk_box box;  /* of a box; box, center and radius are in the frame of the
-                      region */
+    bool is_moved;  /* to_local is not the identity */
+    bool is_around; /* a box that is not moved and contains the domain; set by
+                     * murk_media_create() */
+    murk_box box;   /* of a box; box, center and radius are in the frame of the
+                       region */
     murk_vec3 center;
     double radius;
     double level;         /* height of a half space */
