@@ -3,6 +3,7 @@
  * grid, and tested there. */
 #include "medium/place.h"
 
+#include "medium/clip.h"
 #include "medium/grid_internal.h"
 #include "medium/layers.h"
 #include "medium/linear.h"
@@ -133,55 +134,6 @@ bool murk_place_make(murk_place *place, const murk_region *region,
     return true;
 }
 
-/* Clips [*t0, *t1] to the ray parameters at which one coordinate is between low
- * and high. If the ray does not change that coordinate and is outside of [low,
- * high), *t1 becomes -infinity. */
-static inline void clip_axis(double low, double high, double origin,
-                             double direction, double *t0, double *t1)
-{
-    if (direction == 0) {
-        *t1 = origin >= low && origin < high ? *t1 : -INFINITY;
-        return;
-    }
-    const double inverse = 1 / direction;
-    const double a = (low - origin) * inverse, b = (high - origin) * inverse;
-    const double enter = inverse > 0 ? a : b, leave = inverse > 0 ? b : a;
-    *t0 = *t0 > enter ? *t0 : enter;
-    *t1 = *t1 < leave ? *t1 : leave;
-}
-
-/* Clips to a box. There is no early exit, so that the three axes are
- * computed side by side. */
-static inline bool clip_box(const murk_box *box, const murk_vec3 *o,
-                            const murk_vec3 *d, double *t0, double *t1)
-{
-    double from = *t0, to = *t1;
-    clip_axis(box->min.x, box->max.x, o->x, d->x, &from, &to);
-    clip_axis(box->min.y, box->max.y, o->y, d->y, &from, &to);
-    clip_axis(box->min.z, box->max.z, o->z, d->z, &from, &to);
-    *t0 = from;
-    *t1 = to;
-    return from < to;
-}
-
-/* Clips to a sphere, measured from the point of the line nearest to the
- * centre, so that far origins cost no digits. */
-static bool clip_sphere(murk_vec3 center, double radius, const murk_vec3 *o,
-                        const murk_vec3 *d, double *t0, double *t1)
-{
-    const double square = murk_dot(*d, *d);
-    const double nearest = murk_dot(murk_sub(center, *o), *d) / square;
-    const murk_vec3 off = murk_sub(murk_along(*o, nearest, *d), center);
-    const double left = radius * radius - murk_dot(off, off);
-    if (!(left > 0)) {
-        return false;
-    }
-    const double half = sqrt(left / square);
-    *t0 = *t0 > nearest - half ? *t0 : nearest - half;
-    *t1 = *t1 < nearest + half ? *t1 : nearest + half;
-    return *t0 < *t1;
-}
-
 bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
                      const murk_vec3 *direction, double *t0, double *t1)
 {
@@ -198,12 +150,14 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
     case MURK_REGION_MESH: /* the caller knows that the ray is inside */
         return *t0 < *t1;
     case MURK_REGION_BELOW:
-        clip_axis(-INFINITY, place->level, o->z, d->z, t0, t1);
+        murk_clip_coordinate(-INFINITY, place->level, o->z, d->z, t0, t1);
         return *t0 < *t1;
     case MURK_REGION_BOX:
-        return clip_box(&place->box, o, d, t0, t1);
+        murk_clip_box(&place->box, *o, *d, t0, t1);
+        return *t0 < *t1;
     case MURK_REGION_SPHERE:
-        return clip_sphere(place->center, place->radius, o, d, t0, t1);
+        murk_clip_sphere(place->center, place->radius, *o, *d, t0, t1);
+        return *t0 < *t1;
     case MURK_REGION_GRID:
         return murk_grid_clip(place->tree,
                               place->filling == MURK_FILLED_BY_LINEAR, *o, *d,

@@ -97,10 +97,19 @@ static void put_in(lane_batch *b, size_t i)
     l->number[i] = w->number;
     l->is_new[i] = 1;
     l->limit_m[i] = INFINITY;
+    b->phase[i] = NULL; /* until the next collision */
     murk_collision all;
-    if (murk_media_even(b->setup->world->media, w->band,
-                        &l->extinction_per_m[i], &all)) {
+    const murk_media *media = b->setup->world->media;
+    if (murk_media_even(media, w->band, &l->extinction_per_m[i], &all)) {
         set_medium(b, i, &all);
+    }
+    for (size_t k = 0; k < b->facts.regions; ++k) {
+        const murk_collision c =
+            murk_media_even_collision(media, b->facts.region[k].medium, w->band,
+                                      &l->region_extinction[k][i]);
+        l->region_albedo[k][i] = c.albedo;
+        l->region_g[k][i] =
+            c.phase->kind == MURK_PHASE_HG ? c.phase->value[0] : 0;
     }
 }
 
@@ -158,6 +167,28 @@ static void fly_each(lane_batch *b)
             l->distance_m[i] = c.distance_m;
             set_medium(b, i, &c);
         }
+    }
+}
+
+/* The media of collisions in several even regions. */
+static void find_media(lane_batch *b)
+{
+    murk_photon_lanes *l = &b->lanes;
+    const murk_media *media = b->setup->world->media;
+    for (size_t i = 0; i < b->n; ++i) {
+        const murk_walker *w = &b->walker[i];
+        const size_t medium = b->facts.region[(size_t)l->region[i]].medium;
+        if (l->meets[i] == 0) {
+            continue;
+        }
+        if (b->sums->materials + medium != w->absorber || !b->phase[i]) {
+            double extinction_per_m;
+            const murk_collision c = murk_media_even_collision(
+                media, medium, w->band, &extinction_per_m);
+            settle(b, i);
+            set_medium(b, i, &c);
+        }
+        b->scattering_per_m[i] = l->scattering_per_m[i];
     }
 }
 
@@ -250,6 +281,9 @@ static void step(lane_batch *b)
     b->steps->draw(l, &b->facts, n);
     if (b->is_even) {
         b->steps->fly(l, n);
+    } else if (b->facts.regions > 0) {
+        b->steps->fly_regions(l, &b->facts, n);
+        find_media(b);
     } else {
         fly_each(b);
     }
@@ -298,6 +332,8 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
                                 .is_open = true};
     double extinction_per_m;
     murk_collision all;
+    b.facts.regions =
+        murk_media_even_regions(setup->world->media, b.facts.region);
     b.is_even =
         murk_media_even(setup->world->media, 0, &extinction_per_m, &all);
     b.is_watched = sums->scorer || trace->sink;

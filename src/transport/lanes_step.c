@@ -14,6 +14,7 @@
 
 #include "base/logarithm.h"
 #include "base/philox.h"
+#include "medium/clip.h"
 #include "medium/phase.h"
 #include "transport/turn.h"
 
@@ -64,6 +65,201 @@ KERNEL fly(murk_photon_lanes *restrict l, size_t n)
                       truth(extinction * limit_m >= tau);
         l->distance_m[i] = distance_m < limit_m ? distance_m : limit_m;
     }
+}
+
+/* The part of each ray inside a region. */
+KERNEL clip(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
+            size_t k, size_t n)
+{
+    const murk_even_region *region = &facts->region[k];
+    const murk_box box = region->box;
+    const murk_vec3 center = region->center;
+    const double radius_m = region->radius_m, level_m = region->level_m;
+    const murk_lane_rays *restrict ray = &l->ray;
+    double *restrict from = l->span_from[k], *restrict to = l->span_to[k];
+    FOR_LANES(n)
+    {
+        from[i] = 0;
+        to[i] = l->limit_m[i];
+    }
+    if (region->shape == MURK_EVEN_BELOW) {
+        FOR_LANES(n)
+        {
+            murk_clip_coordinate(-INFINITY, level_m, ray->z[i], ray->dz[i],
+                                 &from[i], &to[i]);
+        }
+    } else if (region->shape == MURK_EVEN_BOX) {
+        FOR_LANES(n)
+        {
+            const murk_vec3 o = {ray->x[i], ray->y[i], ray->z[i]};
+            const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
+            murk_clip_box(&box, o, d, &from[i], &to[i]);
+        }
+    } else if (region->shape == MURK_EVEN_SPHERE) {
+        FOR_LANES(n)
+        {
+            const murk_vec3 o = {ray->x[i], ray->y[i], ray->z[i]};
+            const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
+            murk_clip_sphere(center, radius_m, o, d, &from[i], &to[i]);
+        }
+    }
+    /* A region that neither replaces others nor has an extinction divides no
+     * ray. */
+    const double replaces = truth(region->replaces);
+    FOR_LANES(n)
+    {
+        const bool counts =
+            (from[i] < to[i]) &
+            ((replaces != 0) | (l->region_extinction[k][i] > 0));
+        to[i] = counts ? to[i] : -INFINITY;
+        from[i] = counts ? from[i] : -INFINITY;
+    }
+}
+
+/* The next end of a part of the ray beyond piece_from; a lane without one flies
+ * no further. */
+KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
+{
+    FOR_LANES(n)
+    {
+        l->piece_to[i] = INFINITY;
+        l->left[i] = 0; /* here: whether any end is ahead */
+        l->piece_extinction[i] = 0;
+    }
+    for (size_t k = 0; k < regions; ++k) {
+        const double *restrict from = l->span_from[k], *restrict to =
+                                                           l->span_to[k];
+        FOR_LANES(n)
+        {
+            const double here = l->piece_from[i];
+            const double ahead = from[i] > here ? from[i] : to[i];
+            const bool is_ahead = ahead > here;
+            const bool is_nearer = is_ahead & (ahead < l->piece_to[i]);
+            l->left[i] = is_ahead ? 1 : l->left[i];
+            l->piece_to[i] = is_nearer ? ahead : l->piece_to[i];
+        }
+    }
+    FOR_LANES(n)
+    {
+        l->flies[i] *= l->left[i];
+    }
+}
+
+/* Adds the extinctions of the regions that fill the interval. */
+KERNEL add_extinctions(murk_photon_lanes *restrict l,
+                       const murk_lane_facts *facts, size_t n)
+{
+    for (size_t k = 0; k < facts->regions; ++k) {
+        const double *restrict from = l->span_from[k], *restrict to =
+                                                           l->span_to[k];
+        const double keeps = facts->region[k].replaces ? 0 : 1;
+        const double *restrict extinction = l->region_extinction[k];
+        FOR_LANES(n)
+        {
+            const bool is_present =
+                (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]);
+            const double before = l->piece_extinction[i];
+            const double sum = keeps * before + extinction[i];
+            l->piece_extinction[i] = is_present ? sum : before;
+        }
+    }
+}
+
+/* Selects the region of the collision in proportion to extinction. */
+KERNEL select_region(murk_photon_lanes *restrict l,
+                     const murk_lane_facts *facts, size_t n)
+{
+    FOR_LANES(n)
+    {
+        l->left[i] = murk_uniform(l->word_medium[i]) * l->piece_extinction[i];
+        l->scattering_per_m[i] = 0;
+        l->first_region[i] = 0;
+    }
+    for (size_t k = 0; k < facts->regions; ++k) {
+        const double *restrict from = l->span_from[k], *restrict to =
+                                                           l->span_to[k];
+        const double replaces = truth(facts->region[k].replaces);
+        FOR_LANES(n)
+        {
+            const bool is_present =
+                (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]);
+            const bool is_first = is_present & (replaces != 0);
+            l->first_region[i] = is_first ? (double)k : l->first_region[i];
+        }
+    }
+    for (size_t k = 0; k < facts->regions; ++k) {
+        const double *restrict from = l->span_from[k], *restrict to =
+                                                           l->span_to[k];
+        const double *restrict extinction = l->region_extinction[k];
+        const double *restrict albedo = l->region_albedo[k];
+        const double *restrict g = l->region_g[k];
+        const double number = (double)k;
+        FOR_LANES(n)
+        {
+            const bool is_present =
+                (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]) &
+                (number >= l->first_region[i]) & (extinction[i] > 0);
+            const bool is_chosen = is_present & (l->left[i] >= 0);
+            const double scattering = l->scattering_per_m[i];
+            l->scattering_per_m[i] =
+                is_present ? scattering + extinction[i] * albedo[i]
+                           : scattering;
+            l->region[i] = is_chosen ? number : l->region[i];
+            l->albedo[i] = is_chosen ? albedo[i] : l->albedo[i];
+            l->g[i] = is_chosen ? g[i] : l->g[i];
+            l->left[i] = is_chosen ? l->left[i] - extinction[i] : l->left[i];
+        }
+    }
+}
+
+/* As murk_media_fly() in several even regions: from end to end of the parts of
+ * the ray in the regions, until the optical depth is reached. */
+KERNEL fly_regions(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
+                   size_t n)
+{
+    for (size_t k = 0; k < facts->regions; ++k) {
+        clip(l, facts, k, n);
+    }
+    FOR_LANES(n)
+    {
+        l->piece_from[i] = 0;
+        l->depth[i] = 0;
+        l->meets[i] = 0;
+        l->flies[i] = truth(l->limit_m[i] > 0);
+    }
+    double flying = 1;
+    for (size_t step = 0; flying != 0 && step <= 2 * facts->regions; ++step) {
+        double from[MURK_PHOTON_LANES]; /* of the lanes that fly on */
+        find_piece(l, facts->regions, n);
+        add_extinctions(l, facts, n);
+        FOR_LANES(n)
+        {
+            const double extinction = l->piece_extinction[i];
+            const double begin = l->piece_from[i], end = l->piece_to[i];
+            const double depth = l->depth[i], tau = l->tau[i];
+            const double more = depth + extinction * (end - begin);
+            const double reached = begin + (tau - depth) / extinction;
+            const bool flies = l->flies[i] != 0;
+            const bool has_extinction = extinction > 0;
+            const bool meets = flies & has_extinction & (more >= tau);
+            const double distance_m = reached < end ? reached : end;
+            l->meets[i] = meets ? 1 : l->meets[i];
+            l->distance_m[i] = meets ? distance_m : l->distance_m[i];
+            l->depth[i] = has_extinction ? more : depth;
+            l->flies[i] = truth(flies & !meets);
+            from[i] = (flies & !meets) ? end : begin;
+        }
+        /* A lane that has met keeps the interval of the collision. */
+        flying = 0;
+        FOR_LANES(n)
+        {
+            l->piece_from[i] = from[i];
+            flying = l->flies[i] > flying ? l->flies[i] : flying;
+        }
+    }
+    /* find_piece() has moved the ends of intervals of lanes that met in earlier
+     * turns no further, because piece_from stayed. */
+    select_region(l, facts, n);
 }
 
 KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
@@ -139,6 +335,11 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
     {                                                                        \
         fly(l, n);                                                           \
     }                                                                        \
+    target static void fly_regions_##set(                                    \
+        murk_photon_lanes *l, const murk_lane_facts *facts, size_t n)        \
+    {                                                                        \
+        fly_regions(l, facts, n);                                            \
+    }                                                                        \
     target static void collide_##set(murk_photon_lanes *l,                   \
                                      const murk_lane_facts *facts, size_t n) \
     {                                                                        \
@@ -148,8 +349,8 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
     {                                                                        \
         turn(l, n);                                                          \
     }                                                                        \
-    static const murk_lane_steps steps_##set = {draw_##set, fly_##set,       \
-                                                collide_##set, turn_##set};
+    static const murk_lane_steps steps_##set = {                             \
+        draw_##set, fly_##set, fly_regions_##set, collide_##set, turn_##set};
 
 MURK_COMPILED_FOR(baseline, )
 

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "medium/even_regions.h"
 #include "path/sides.h"
 
 /* Lanes, and the granularity of their number: a step takes a multiple of
@@ -48,6 +49,20 @@ typedef struct murk_photon_lanes {
     murk_lane_number extinction_per_m; /* of a single even medium */
     murk_lane_number albedo, g;
 
+    /* Several even regions: the properties of their media in the band of the
+     * photon, the part of the ray inside each of them (from below to; none if
+     * not), the interval between ends of these parts that the flight has
+     * reached, and the region with the collision. */
+    murk_lane_number region_extinction[MURK_EVEN_REGIONS_MAX];
+    murk_lane_number region_albedo[MURK_EVEN_REGIONS_MAX];
+    murk_lane_number region_g[MURK_EVEN_REGIONS_MAX];
+    murk_lane_number span_from[MURK_EVEN_REGIONS_MAX];
+    murk_lane_number span_to[MURK_EVEN_REGIONS_MAX];
+    murk_lane_number piece_from, piece_to, piece_extinction, depth, flies;
+    murk_lane_number first_region; /* the last of the regions of the interval
+                                    * that replaces those before */
+    murk_lane_number left, region, scattering_per_m;
+
     /* The outcome of a collision. */
     murk_lane_number scatters, cosine, azimuth;
 } murk_photon_lanes;
@@ -57,8 +72,10 @@ typedef struct murk_lane_facts {
     uint32_t seed, purpose; /* of the random numbers of a flight */
     double events_max, min_quanta;
     murk_path_sides sides;
-    bool is_open; /* a flight may end outside of the domain and then does not
-                   * count, because limit_m is not known */
+    bool is_open;   /* a flight may end outside of the domain and then does not
+                     * count, because limit_m is not known */
+    size_t regions; /* even regions; 0: one medium, or flights of other kinds */
+    murk_even_region region[MURK_EVEN_REGIONS_MAX];
 } murk_lane_facts;
 
 /* The steps of a collision for the first n lanes, n a multiple of
@@ -69,6 +86,9 @@ typedef struct murk_lane_steps {
                  size_t n);
     /* The free flight in a single even medium. */
     void (*fly)(murk_photon_lanes *lanes, size_t n);
+    /* The free flight in several even regions. */
+    void (*fly_regions)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
+                        size_t n);
     /* Moves to the collision, splits the packet or decides by roulette, and
      * draws the cosine by Henyey and Greenstein. A photon with too many events
      * does not meet: it is the walker's. */
