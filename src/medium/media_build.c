@@ -232,6 +232,7 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
                              "above 0 and all numbers finite");
         }
         ++media->n_places;
+        /* A box around the domain, and a region outside of it. */
         place->is_around = place->shape == MURK_REGION_BOX &&
                            !place->is_moved &&
                            murk_box_contains(&place->box, domain->min) &&

@@ -175,6 +175,7 @@ KERNEL select_region(murk_photon_lanes *restrict l,
         l->scattering_per_m[i] = 0;
         l->first_region[i] = 0;
     }
+    /* The last region that replaces those before it. */
     for (size_t k = 0; k < facts->regions; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];
@@ -187,6 +188,7 @@ KERNEL select_region(murk_photon_lanes *restrict l,
             l->first_region[i] = is_first ? (double)k : l->first_region[i];
         }
     }
+    /* The region at which the sum of extinctions exceeds the drawn share. */
     for (size_t k = 0; k < facts->regions; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];
