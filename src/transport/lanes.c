@@ -59,7 +59,7 @@ static void take_out(lane_batch *b, size_t i)
         murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
     w->path.direction = murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i]);
     w->quanta = (int64_t)l->ray.quanta[i];
-    w->number = l->number[i];
+    w->number = (uint32_t)l->number[i];
     if (l->is_new[i] == 0) {
         w->event_class = MURK_CLASS_LATER;
         w->wraps = 0;
@@ -158,7 +158,7 @@ static void fly_each(lane_batch *b)
             b->setup->world->media, w->band, w->path.inside,
             murk_vec(ray->x[i], ray->y[i], ray->z[i]),
             murk_vec(ray->dx[i], ray->dy[i], ray->dz[i]), l->limit_m[i],
-            l->tau[i], murk_uniform(l->word_medium[i]), &c);
+            l->tau[i], murk_uniform((uint32_t)l->word_medium[i]), &c);
         l->meets[i] = meets;
         if (meets) {
             if (b->sums->materials + c.medium != w->absorber) {
@@ -198,7 +198,7 @@ static void sample_other_phases(lane_batch *b)
     for (size_t i = 0; i < b->n; ++i) {
         if (b->lanes.scatters[i] != 0 && b->phase[i]->kind != MURK_PHASE_HG) {
             b->lanes.cosine[i] = murk_phase_sample(
-                b->phase[i], murk_uniform(b->lanes.word_cosine[i]));
+                b->phase[i], murk_uniform((uint32_t)b->lanes.word_cosine[i]));
         }
     }
 }
@@ -220,7 +220,7 @@ static void watch(lane_batch *b, size_t i)
     }
     if (murk_walker_is_heard(w)) {
         const bool scatters = l->scatters[i] != 0;
-        w->number = l->number[i];
+        w->number = (uint32_t)l->number[i];
         murk_event event = murk_walker_event(w, MURK_EVENT_MEDIUM);
         event.outcome = scatters ? MURK_SCATTERED : MURK_ABSORBED;
         event.material_or_medium = (uint8_t)(w->absorber - b->sums->materials);

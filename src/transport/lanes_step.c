@@ -9,11 +9,15 @@
  * between lanes and walker at any event. */
 #include "transport/lanes_step.h"
 
+#include <Random123/philox.h>
 #include <stdlib.h>
 #include <string.h>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include "base/logarithm.h"
-#include "base/philox.h"
 #include "medium/clip.h"
 #include "medium/phase.h"
 #include "transport/turn.h"
@@ -26,25 +30,76 @@
 #define FOR_LANES(n) \
     for (size_t i = 0; i < ((n) & ~(size_t)(MURK_LANE_GROUP - 1)); ++i)
 
-KERNEL draw(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
-            size_t n)
+/* The number in (0, 1) of a random word; murk_uniform() for a word in the space
+ * of a number. The word is put into the mantissa of 2^52, because few
+ * processors convert several integers of 64 bits at once. */
+static inline double uniform_of(uint64_t word)
 {
-    const uint32_t seed = facts->seed, purpose = facts->purpose;
-    FOR_LANES(n)
-    {
-        const uint32_t number = l->number[i] + 1;
-        uint32_t word[4];
-        murk_philox(seed, purpose, l->photon_low[i], l->photon_high[i], number,
-                    0, word);
-        l->number[i] = number;
-        l->word_depth[i] = word[0];
-        l->word_medium[i] = word[1];
-        l->word_roulette[i] = word[2];
-        l->word_cosine[i] = word[3];
+    const uint64_t bits = word | UINT64_C(0x4330000000000000);
+    double number;
+    memcpy(&number, &bits, sizeof number);
+    return (number - 0x1p52 + 0.5) * 0x1p-32;
+}
+
+/* The rounds of murk_philox() for several photons, in vectors of `vector`. Each
+ * element of 64 bits holds a word in the lower half and anything in the upper
+ * half; `product` multiplies the lower halves. A compiler that is given the
+ * plain loop spends most of the time on moving words between vectors. */
+#define MURK_WORDS_FOR(set, target, vector, product)                       \
+    target static void words_##set(murk_photon_lanes *l,                   \
+                                   const murk_lane_facts *facts, size_t n) \
+    {                                                                      \
+        const vector zero = {0};                                           \
+        const vector factor_a = zero + PHILOX_M4x32_0;                     \
+        const vector factor_c = zero + PHILOX_M4x32_1;                     \
+        const vector low = zero + UINT32_MAX;                              \
+        const size_t whole = n & ~(size_t)(MURK_LANE_GROUP - 1);           \
+        for (size_t i = 0; i < whole; i += sizeof zero / sizeof zero[0]) { \
+            vector a, b, c, d = zero;                                      \
+            memcpy(&a, &l->photon_low[i], sizeof a);                       \
+            memcpy(&b, &l->photon_high[i], sizeof b);                      \
+            memcpy(&c, &l->number[i], sizeof c);                           \
+            c += 1;                                                        \
+            memcpy(&l->number[i], &c, sizeof c);                           \
+            uint32_t key_a = facts->seed, key_c = facts->purpose;          \
+            for (int round = 0; round < 10; ++round) {                     \
+                const vector from_a = product(a, factor_a);                \
+                const vector from_c = product(c, factor_c);                \
+                a = from_c >> 32 ^ b ^ (zero + key_a);                     \
+                c = from_a >> 32 ^ d ^ (zero + key_c);                     \
+                b = from_c;                                                \
+                d = from_a;                                                \
+                key_a += PHILOX_W32_0;                                     \
+                key_c += PHILOX_W32_1;                                     \
+            }                                                              \
+            a &= low;                                                      \
+            b &= low;                                                      \
+            c &= low;                                                      \
+            d &= low;                                                      \
+            memcpy(&l->word_depth[i], &a, sizeof a);                       \
+            memcpy(&l->word_medium[i], &b, sizeof b);                      \
+            memcpy(&l->word_roulette[i], &c, sizeof c);                    \
+            memcpy(&l->word_cosine[i], &d, sizeof d);                      \
+        }                                                                  \
     }
+
+/* Vectors of 2, 4 and 8 elements, and the products of the lower halves. */
+typedef uint64_t words_2 __attribute__((vector_size(16)));
+#if defined(__x86_64__)
+typedef uint64_t words_4 __attribute__((vector_size(32)));
+typedef uint64_t words_8 __attribute__((vector_size(64)));
+#define PRODUCT_2(a, b) ((words_2)_mm_mul_epu32((__m128i)(a), (__m128i)(b)))
+#define PRODUCT_4(a, b) ((words_4)_mm256_mul_epu32((__m256i)(a), (__m256i)(b)))
+#define PRODUCT_8(a, b) ((words_8)_mm512_mul_epu32((__m512i)(a), (__m512i)(b)))
+#else
+#define PRODUCT_2(a, b) (((a)&UINT32_MAX) * (b))
+#endif
+
+KERNEL draw_depth(murk_photon_lanes *restrict l, size_t n)
+{
     FOR_LANES(n)
     {
-        l->tau[i] = -murk_log(murk_uniform(l->word_depth[i]));
+        l->tau[i] = -murk_log(uniform_of(l->word_depth[i]));
     }
 }
 
@@ -171,7 +226,7 @@ KERNEL select_region(murk_photon_lanes *restrict l,
 {
     FOR_LANES(n)
     {
-        l->left[i] = murk_uniform(l->word_medium[i]) * l->piece_extinction[i];
+        l->left[i] = uniform_of(l->word_medium[i]) * l->piece_extinction[i];
         l->scattering_per_m[i] = 0;
         l->first_region[i] = 0;
     }
@@ -268,7 +323,7 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
                size_t n)
 {
     const murk_path_sides sides = facts->sides;
-    const double events_max = facts->events_max;
+    const int64_t events_max = facts->events_max;
     const double min_quanta = facts->min_quanta;
     const bool is_open = facts->is_open;
     murk_lane_rays *restrict ray = &l->ray;
@@ -283,7 +338,7 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
                                (y >= sides.y[0]) & (y <= sides.y[1]) &
                                (z >= sides.z[0]) & (z <= sides.z[1]);
         const bool meets = (l->meets[i] != 0) & (is_inside | !is_open) &
-                           ((double)l->number[i] <= events_max);
+                           ((int64_t)l->number[i] <= events_max);
         l->meets[i] = truth(meets);
         ray->x[i] = meets ? murk_path_side_hold(x, sides.x) : ray->x[i];
         ray->y[i] = meets ? murk_path_side_hold(y, sides.y) : ray->y[i];
@@ -295,7 +350,7 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
         const bool meets = l->meets[i] != 0;
         const double before = ray->quanta[i];
         const double albedo = l->albedo[i];
-        const double u = murk_uniform(l->word_roulette[i]);
+        const double u = uniform_of(l->word_roulette[i]);
         const bool is_split = before > min_quanta;
         const double share = floor(before * albedo + u);
         const double left = share < before ? share : before;
@@ -307,7 +362,7 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
         l->scatters[i] = truth(meets & survives);
         l->azimuth[i] = is_split ? u : u / albedo;
         l->is_new[i] = meets ? 0 : l->is_new[i];
-        l->cosine[i] = murk_hg_sample(l->g[i], murk_uniform(l->word_cosine[i]));
+        l->cosine[i] = murk_hg_sample(l->g[i], uniform_of(l->word_cosine[i]));
     }
 }
 
@@ -327,11 +382,13 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
 }
 
 /* One function of each kernel for an instruction set, and the row of them. */
-#define MURK_COMPILED_FOR(set, target)                                       \
+#define MURK_COMPILED_FOR(set, target, vector, product)                      \
+    MURK_WORDS_FOR(set, target, vector, product)                             \
     target static void draw_##set(murk_photon_lanes *l,                      \
                                   const murk_lane_facts *facts, size_t n)    \
     {                                                                        \
-        draw(l, facts, n);                                                   \
+        words_##set(l, facts, n);                                            \
+        draw_depth(l, n);                                                    \
     }                                                                        \
     target static void fly_##set(murk_photon_lanes *l, size_t n)             \
     {                                                                        \
@@ -354,12 +411,13 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
     static const murk_lane_steps steps_##set = {                             \
         draw_##set, fly_##set, fly_regions_##set, collide_##set, turn_##set};
 
-MURK_COMPILED_FOR(baseline, )
+MURK_COMPILED_FOR(baseline, , words_2, PRODUCT_2)
 
 #if defined(__x86_64__)
-MURK_COMPILED_FOR(avx2, __attribute__((target("avx2"))))
+MURK_COMPILED_FOR(avx2, __attribute__((target("avx2"))), words_4, PRODUCT_4)
 MURK_COMPILED_FOR(avx512,
-                  __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw"))))
+                  __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw"))),
+                  words_8, PRODUCT_8)
 #endif
 
 const murk_lane_steps *murk_lane_steps_chosen(void)

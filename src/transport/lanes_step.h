@@ -18,6 +18,9 @@
 
 typedef double murk_lane_number[MURK_PHOTON_LANES];
 
+/* Words of 32 bits, each in the space of a number. */
+typedef uint64_t murk_lane_word[MURK_PHOTON_LANES];
+
 /* The rays of the photons and their packets. */
 typedef struct murk_lane_rays {
     murk_lane_number x, y, z, dx, dy, dz; /* position [m], direction */
@@ -31,15 +34,14 @@ typedef struct murk_photon_lanes {
     murk_lane_rays ray;
     murk_lane_number absorbed; /* quanta that the medium met last has absorbed
                                 * and that are not yet in the ledger */
-    uint32_t photon_low[MURK_PHOTON_LANES], photon_high[MURK_PHOTON_LANES];
-    uint32_t number[MURK_PHOTON_LANES]; /* of the event */
+    murk_lane_word photon_low, photon_high;
+    murk_lane_word number; /* of the event */
     murk_lane_number
         is_new; /* no collision since the walker of the lane moved */
 
     /* The random words of this event. The first gives the optical depth tau to
      * the collision. */
-    uint32_t word_depth[MURK_PHOTON_LANES], word_medium[MURK_PHOTON_LANES];
-    uint32_t word_roulette[MURK_PHOTON_LANES], word_cosine[MURK_PHOTON_LANES];
+    murk_lane_word word_depth, word_medium, word_roulette, word_cosine;
     murk_lane_number tau;
 
     /* The free flight: the length that it may have, and, if it ends in a medium
@@ -70,7 +72,8 @@ typedef struct murk_photon_lanes {
 /* The facts that all lanes share. */
 typedef struct murk_lane_facts {
     uint32_t seed, purpose; /* of the random numbers of a flight */
-    double events_max, min_quanta;
+    int64_t events_max;
+    double min_quanta;
     murk_path_sides sides;
     bool is_open;   /* a flight may end outside of the domain and then does not
                      * count, because limit_m is not known */
