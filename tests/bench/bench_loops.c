@@ -120,12 +120,13 @@ int main(int argc, char **argv)
         fprintf(stderr, "bench_loops: see the comment of the program\n");
         return 2;
     }
+    /* The box; the density of a ramp grows to 2. */
     const bool is_ball = strcmp(argv[2], "ball") == 0;
     const bool is_linear = strcmp(argv[2], "linear") == 0;
     const bool is_ramp = is_linear || strcmp(argv[2], "voxels") == 0;
     const plain_matter matter = {atof(argv[3]), atof(argv[4]), atof(argv[5])};
     const plain_matter ball = {.002, 5, .9};
-    const double most =
+    const double highest =
         is_ball ? fmax(matter.scattering_per_m + matter.absorption_per_m,
                        ball.scattering_per_m + ball.absorption_per_m)
                 : matter.scattering_per_m + matter.absorption_per_m;
@@ -133,6 +134,7 @@ int main(int argc, char **argv)
     const uint64_t threads = strtoull(argv[7], NULL, 10) == 2 ? 2 : 1;
     float *density = is_ramp ? make_ramp(is_linear) : NULL;
 
+    /* Each thread traces some of the batches. */
     share shares[2];
     thrd_t thread[2];
     for (uint64_t t = 0; t < threads; ++t) {
@@ -141,7 +143,7 @@ int main(int argc, char **argv)
                             .start_m = {30.1, 30.2, 0},
                             .direction = {0, 0, 1},
                             .matter = matter,
-                            .majorant_per_m = is_ramp ? 2 * most : most,
+                            .majorant_per_m = is_ramp ? 2 * highest : highest,
                             .center_m = {SIDE / 2, SIDE / 2, SIDE / 2},
                             .radius_m = is_ball ? 15 : 0,
                             .ball = ball,
@@ -164,6 +166,7 @@ int main(int argc, char **argv)
         add(&sum, &shares[t].sum);
     }
 
+    /* Sums over all photons. */
     printf("{\"photons\": %llu, \"collisions\": %llu, \"absorbed\": %.9g, "
            "\"reflected\": %.9g, \"transmitted\": %.9g",
            (unsigned long long)photons, (unsigned long long)sum.collisions,
