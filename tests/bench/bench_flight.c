@@ -115,11 +115,11 @@ static void run(contest c, double depth)
     murk_media_destroy(c.media);
     const char *slash = strrchr(c.file, '/');
     char reference[256];
-    snprintf(reference, sizeof reference,
-             "march, %s, %s, depth %g, %.1f null collisions",
+    snprintf(reference, sizeof reference, "march, %s, %s, depth %g",
              slash ? slash + 1 : c.file,
-             c.interpolation == MURK_LINEAR ? "linear" : "nearest", depth,
-             c.nulls / RAYS / BENCH_REPEATS);
+             c.interpolation == MURK_LINEAR ? "linear" : "nearest", depth);
+    fprintf(stderr, "flight, %s: %.1f null collisions a flight\n", reference,
+            c.nulls / RAYS / BENCH_REPEATS);
     bench_print(&(bench_row){.name = "flight",
                              .unit = "flights/s",
                              .reference = reference,

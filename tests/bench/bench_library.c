@@ -24,6 +24,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: bench_library SCENE THREADS KEY=VALUE...\n");
         return 2;
     }
+    /* The scene, with the keys of the command line. */
     murk_error error = {.size = sizeof error};
     murk_context *context;
     murk_scene *scene;
@@ -36,9 +37,14 @@ int main(int argc, char **argv)
     must(murk_scene_read(&scene, context, argv[1], &error), &error);
     for (int i = 3; i < argc; ++i) {
         char *value = strchr(argv[i], '=');
+        if (!value) {
+            fprintf(stderr, "bench_library: %s is not KEY=VALUE\n", argv[i]);
+            return 2;
+        }
         *value++ = '\0';
         must(murk_scene_set(scene, argv[i], value, &error), &error);
     }
+    /* Trace, and print the ledger. */
     must(murk_world_create(&world, scene, &error), &error);
     must(murk_light_trace(&light, world, &error), &error);
     must(murk_light_fields(light, &fields, &error), &error);

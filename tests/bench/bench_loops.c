@@ -114,25 +114,45 @@ static float *make_ramp(bool is_linear)
     return density;
 }
 
+/* Whether an argument is `yes`; it must be that or `no`. */
+static bool is_word(const char *argument, const char *yes, const char *no)
+{
+    const bool is_yes = strcmp(argument, yes) == 0;
+    if (!is_yes && strcmp(argument, no) != 0) {
+        fprintf(stderr, "bench_loops: %s: must be %s or %s\n", argument, yes,
+                no);
+        exit(2);
+    }
+    return is_yes;
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 10) {
-        fprintf(stderr, "bench_loops: see the comment of the program\n");
+        fprintf(stderr, "usage: bench_loops scalar|lanes "
+                        "even|ball|voxels|linear ABSORPTION SCATTERING G "
+                        "PHOTONS THREADS roulette|weights none|tally\n");
         return 2;
     }
+    const bool is_lanes = is_word(argv[1], "lanes", "scalar");
+    const bool has_weights = is_word(argv[8], "weights", "roulette");
+    const bool has_tally = is_word(argv[9], "tally", "none");
+    /* The box; the density of a ramp grows to 2. */
     const bool is_ball = strcmp(argv[2], "ball") == 0;
     const bool is_linear = strcmp(argv[2], "linear") == 0;
-    const bool is_ramp = is_linear || strcmp(argv[2], "voxels") == 0;
+    const bool is_ramp =
+        is_linear || (!is_ball && is_word(argv[2], "voxels", "even"));
     const plain_matter matter = {atof(argv[3]), atof(argv[4]), atof(argv[5])};
     const plain_matter ball = {.002, 5, .9};
-    const double most =
+    const double highest =
         is_ball ? fmax(matter.scattering_per_m + matter.absorption_per_m,
                        ball.scattering_per_m + ball.absorption_per_m)
                 : matter.scattering_per_m + matter.absorption_per_m;
     const uint64_t photons = (uint64_t)atof(argv[6]);
-    const uint64_t threads = strtoull(argv[7], NULL, 10) == 2 ? 2 : 1;
+    const uint64_t threads = is_word(argv[7], "2", "1") ? 2 : 1;
     float *density = is_ramp ? make_ramp(is_linear) : NULL;
 
+    /* Each thread traces some of the batches. */
     share shares[2];
     thrd_t thread[2];
     for (uint64_t t = 0; t < threads; ++t) {
@@ -141,15 +161,15 @@ int main(int argc, char **argv)
                             .start_m = {30.1, 30.2, 0},
                             .direction = {0, 0, 1},
                             .matter = matter,
-                            .majorant_per_m = is_ramp ? 2 * most : most,
+                            .majorant_per_m = is_ramp ? 2 * highest : highest,
                             .center_m = {SIDE / 2, SIDE / 2, SIDE / 2},
                             .radius_m = is_ball ? 15 : 0,
                             .ball = ball,
                             .density = density,
                             .is_linear = is_linear,
-                            .has_weights = strcmp(argv[8], "weights") == 0},
-                    .is_lanes = strcmp(argv[1], "lanes") == 0,
-                    .has_tally = strcmp(argv[9], "tally") == 0,
+                            .has_weights = has_weights},
+                    .is_lanes = is_lanes,
+                    .has_tally = has_tally,
                     .photons = photons,
                     .first = t,
                     .threads = threads};
@@ -164,6 +184,7 @@ int main(int argc, char **argv)
         add(&sum, &shares[t].sum);
     }
 
+    /* Sums over all photons. */
     printf("{\"photons\": %llu, \"collisions\": %llu, \"absorbed\": %.9g, "
            "\"reflected\": %.9g, \"transmitted\": %.9g",
            (unsigned long long)photons, (unsigned long long)sum.collisions,

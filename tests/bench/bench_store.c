@@ -19,8 +19,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define MOST   100000 /* vertices and triangles of the mesh */
-#define ALBEDO .6f
+#define MESH_MAX 100000 /* vertices and triangles of the mesh */
+#define ALBEDO   .6f
 
 static const float lamps[6][3] = {{3.6f, 2.3f, 2.4f}, {9.5f, 2.2f, 2.4f},
                                   {6.0f, 5.2f, 2.5f}, {2.4f, 8.0f, 2.4f},
@@ -56,10 +56,11 @@ static RTCGeometry read_mesh(RTCDevice device, const char *path)
         stop("no such mesh");
     }
     RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    float(*vertex)[3] = malloc(MOST * sizeof *vertex);
-    unsigned(*corner)[3] = malloc(MOST * sizeof *corner);
+    float(*vertex)[3] = malloc(MESH_MAX * sizeof *vertex);
+    unsigned(*corner)[3] = malloc(MESH_MAX * sizeof *corner);
     size_t vertices = 0, triangles = 0;
     char line[256];
+    /* Vertices and corners, which the file counts from 1. */
     while (vertex && corner && fgets(line, sizeof line, in)) {
         float *v = vertex[vertices];
         unsigned *c = corner[triangles];
@@ -71,11 +72,12 @@ static RTCGeometry read_mesh(RTCDevice device, const char *path)
             --c[2];
             ++triangles;
         }
-        if (vertices == MOST || triangles == MOST) {
+        if (vertices == MESH_MAX || triangles == MESH_MAX) {
             stop("the mesh is too large");
         }
     }
     fclose(in);
+    /* Hand exactly so many over to Embree. */
     float *to_vertex =
         rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
                                 RTC_FORMAT_FLOAT3, sizeof *vertex, vertices);

@@ -128,6 +128,7 @@ static float brick_integral(const dense_field *f, const int brick[3],
         high[k] = low[k] + BRICK - 1;
         high[k] = high[k] > f->size[k] - 2 ? f->size[k] - 2 : high[k];
     }
+    /* Walk from cell to cell. */
     walk w = walk_from(origin, direction, t, 1, low, high);
     float sum = 0;
     while (t < end) {

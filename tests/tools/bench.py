@@ -4,6 +4,7 @@ import importlib.machinery
 import importlib.util
 import json
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -24,10 +25,17 @@ def check(is_true, what):
         sys.exit(f"tests/tools/bench.py: {what}")
 
 
+def row(case, ratios, clock_ratios, **more):
+    """The line of a row with these ratios, as the tool makes it."""
+    n = len(ratios)
+    raw = {"case": case, "threads": 1, "unit": "photons/s", "reference": "loop", "work": 1, "reference_work": 1,
+           "clock_s": [1] * n, "cpu_s": [1] * n, "reference_clock_s": clock_ratios, "reference_cpu_s": ratios}
+    return bench.finished(dict(raw, more=more))
+
+
 def line(case, low, middle, high, **more):
-    times = {"value": middle, "reference_value": 1., "ratio": middle, "ratio_low": low, "ratio_high": high}
-    return {"case": case, "threads": 1, "unit": "photons/s", "reference": "loop", "repeats": 5, "cpu": times,
-            "clock": dict(times, ratio_low=0, ratio_high=9 * high), **more}
+    ratios = [middle, high, low, (middle + high) / 2, (low + middle) / 2]
+    return row(case, ratios, [0.01, middle, 9 * high, 0.01, 9 * high], **more)
 
 
 def compared(old, new):
@@ -56,18 +64,43 @@ check(run("--compare", "/nowhere").returncode == 1, "no such file")
 # Worse beyond the spread, better, within the spread, and apart by less than two equal programs are.
 old = [line("slow", .9, 1, 1.1), line("fast", .9, 1, 1.1), line("same", .9, 1, 1.1), line("near", .999, 1, 1.001),
        line("gone", 1, 1, 1), {"case": "endless", "threads": 1, "reference": "loop", "note": "did not end"}]
-new = [line("slow", .7, .8, .85), line("fast", 1.4, 1.5, 1.6), line("same", .7, .8, .95), line("near", .96, .97, .98)]
+new = [line("slow", .7, .8, .85), line("fast", 1.4, 1.5, 1.6), line("same", .7, .88, .95), line("near", .96, .97, .98)]
 code, verdicts, text = compared(old, new)
 check(code == 1, "exit 1 when a ratio got worse")
 check(verdicts == {"slow": "worse", "fast": "better", "same": "within the spread", "near": "within the spread"}, text)
 check("8 ratios compared, 1 worse, 2 of the old run" in text, text)
 
+# Noise is not worse, a real slowdown is, and one slow repeat of five does not hide that.
+draw = random.Random(18)
+
+
+def noisy(case, middle, with_outlier):
+    ratios = [middle * draw.lognormvariate(0, .04) for _ in range(5)]
+    ratios[0] *= 1.8 if with_outlier else 1
+    return row(case, ratios, ratios)
+
+
+names = [f"c{i}" for i in range(1000)]
+for with_outlier in (False, True):
+    before = [noisy(name, 1, False) for name in names]
+    code, verdicts, text = compared(before, [noisy(name, 1, with_outlier) for name in names])
+    check(list(verdicts.values()).count("worse") <= 6, "noise of 4 % is worse: " + text[-60:])
+    code, verdicts, text = compared(before, [noisy(name, .75, with_outlier) for name in names])
+    check(code == 1 and list(verdicts.values()).count("worse") >= 990, "not seen to be slower: " + text[-60:])
+
+# Runs without a common ratio do not pass; a plan that covers less is worse however fast it was found.
+code, _, text = compared(old[:1], new[1:2])
+check(code == 1 and text.startswith("0 ratios compared"), text)
+code, _, text = compared([line("p", .9, 1, 1.1, coverage=.9)], [line("p", 1.9, 2, 2.1, coverage=.8)])
+check(code == 1 and "covers 0.8 instead of 0.9 | worse" in text, text)
+check(compared([line("p", .9, 1, 1.1, coverage=.9)], [line("p", .9, 1, 1.1, coverage=.9)])[0] == 0, "same plan")
+
 # A row that runs no more to its end is worse; a single run needs a larger change.
 code, verdicts, text = compared(old[:1], [{"case": "slow", "threads": 1, "reference": "loop", "note": "did not end"}])
 check(code == 1 and verdicts == {"slow": "worse"}, text)
-once = [line("once", 1, 1, 1, repeats=1)]
-check(compared(once, [line("once", .85, .85, .85, repeats=1)])[0] == 0, "a change of 15 % in single runs")
-check(compared(once, [line("once", .7, .7, .7, repeats=1)])[0] == 1, "a change of 30 % in single runs")
+once = [row("once", [1], [1])]
+check(compared(once, [row("once", [.85], [.85])])[0] == 0, "a change of 15 % in single runs")
+check(compared(once, [row("once", [.7], [.7])])[0] == 1, "a change of 30 % in single runs")
 code, _, text = compared(old, new[1:])
 check(code == 0 and ", 0 worse" in text, text)
 
@@ -75,7 +108,8 @@ check(code == 0 and ", 0 worse" in text, text)
 raw = {"case": "c", "threads": 2, "unit": "u/s", "reference": "r", "work": 10, "reference_work": 20,
        "clock_s": [2, 2, 2.5], "cpu_s": [4, 4, 4], "reference_clock_s": [1, 1, 1], "reference_cpu_s": [2, 1, 4]}
 made = bench.finished(raw)
-check(made["clock"] == {"value": 5, "reference_value": 20, "ratio": .25, "ratio_low": .2, "ratio_high": .25}, made)
+check(made["clock"] == {"value": 5, "reference_value": 20, "ratio": .25, "ratio_low": .2, "ratio_high": .25,
+                        "ratios": [.2, .25, .25]}, made)
 check((made["cpu"]["ratio"], made["cpu"]["ratio_low"], made["cpu"]["ratio_high"]) == (.25, .125, .5), made)
 check(bench.finished(dict(raw, work=0, reference_work=0))["clock"]["ratio"] == .5, "ratio of times")
 
