@@ -20,6 +20,15 @@ static inline void murk_philox(uint32_t seed, uint32_t purpose,
     }
 }
 
+/* The constants of a round, for loops that compute several ciphers at once: the
+ * factors of the first and the third word, and what is added to the words of
+ * the key. */
+#define MURK_PHILOX_ROUNDS   10
+#define MURK_PHILOX_FACTOR_A PHILOX_M4x32_0
+#define MURK_PHILOX_FACTOR_C PHILOX_M4x32_1
+#define MURK_PHILOX_KEY_A    PHILOX_W32_0
+#define MURK_PHILOX_KEY_C    PHILOX_W32_1
+
 /* The number in (0, 1) that belongs to a random word, in the middle of its bin
  * of 2^-32: never 0 or 1. */
 static inline double murk_uniform(uint32_t word)

@@ -9,7 +9,6 @@
  * between lanes and walker at any event. */
 #include "transport/lanes_step.h"
 
-#include <Random123/philox.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +17,7 @@
 #endif
 
 #include "base/logarithm.h"
+#include "base/philox.h"
 #include "medium/clip.h"
 #include "medium/phase.h"
 #include "transport/turn.h"
@@ -50,8 +50,8 @@ static inline double uniform_of(uint64_t word)
                                    const murk_lane_facts *facts, size_t n) \
     {                                                                      \
         const vector zero = {0};                                           \
-        const vector factor_a = zero + PHILOX_M4x32_0;                     \
-        const vector factor_c = zero + PHILOX_M4x32_1;                     \
+        const vector factor_a = zero + MURK_PHILOX_FACTOR_A;               \
+        const vector factor_c = zero + MURK_PHILOX_FACTOR_C;               \
         const vector low = zero + UINT32_MAX;                              \
         const size_t whole = n & ~(size_t)(MURK_LANE_GROUP - 1);           \
         for (size_t i = 0; i < whole; i += sizeof zero / sizeof zero[0]) { \
@@ -62,15 +62,15 @@ static inline double uniform_of(uint64_t word)
             c += 1;                                                        \
             memcpy(&l->number[i], &c, sizeof c);                           \
             uint32_t key_a = facts->seed, key_c = facts->purpose;          \
-            for (int round = 0; round < 10; ++round) {                     \
+            for (int round = 0; round < MURK_PHILOX_ROUNDS; ++round) {     \
                 const vector from_a = product(a, factor_a);                \
                 const vector from_c = product(c, factor_c);                \
                 a = from_c >> 32 ^ b ^ (zero + key_a);                     \
                 c = from_a >> 32 ^ d ^ (zero + key_c);                     \
                 b = from_c;                                                \
                 d = from_a;                                                \
-                key_a += PHILOX_W32_0;                                     \
-                key_c += PHILOX_W32_1;                                     \
+                key_a += MURK_PHILOX_KEY_A;                                \
+                key_c += MURK_PHILOX_KEY_C;                                \
             }                                                              \
             a &= low;                                                      \
             b &= low;                                                      \
