@@ -9,9 +9,19 @@ double murk_path_surface_tolerance_m(const murk_surfaces *surfaces,
                 2 * murk_surfaces_leave_step_m(surfaces));
 }
 
+/* Most offsets are clearly less than half a period, or clearly nearer to one
+ * period than to none or two. Rounding down then gives 0 or +-1 for certain,
+ * and needs neither a division nor a call. */
 static double nearest(double value, double to, double period)
 {
-    return value - period * floor((value - to) / period + 0.5);
+    const double offset = value - to, size = fabs(offset);
+    if (size < 0.499 * period) {
+        return value;
+    }
+    if (size > 0.501 * period && size < 1.499 * period) {
+        return value - copysign(period, offset);
+    }
+    return value - period * floor(offset / period + 0.5);
 }
 
 murk_vec3 murk_path_nearest_image(const murk_domain *domain, murk_vec3 point,

@@ -2,29 +2,47 @@
  */
 #include "sensing/nearby.h"
 
-#include "base/sort.h"
-#include "path/segment.h"
+#include <stdbool.h>
+#include <string.h>
 
-#include <stdlib.h>
+/* True if the image of the sensor that is nearest to a photon is shifted by
+ * `periods` from the sensor; the arithmetic is that of
+ * murk_path_nearest_image(), without rounding down. */
+static bool is_nearest(double sensor, double photon, double period, int periods)
+{
+    const double to_round_down = (sensor - photon) / period + 0.5;
+    return to_round_down >= -periods && to_round_down < 1 - periods;
+}
 
-/* Keeps the photons whose nearest image of the sensor is `image`. Returns their
- * number. */
+/* Keeps the photons whose nearest image of the sensor is image k
+ * (murk_domain_image()). Returns their number. */
 static size_t keep_nearest(uint32_t *found, size_t n, const murk_photon *photon,
-                           const murk_domain *domain, murk_vec3 sensor,
-                           murk_vec3 image)
+                           const murk_domain *domain, murk_vec3 sensor, int k)
 {
     const murk_vec3 period = murk_sub(domain->box.max, domain->box.min);
     size_t remaining = 0;
     for (size_t f = 0; f < n; ++f) {
-        const murk_vec3 nearest = murk_path_nearest_image(
-            domain, sensor, murk_photon_place(&photon[found[f]]));
-        /* images are a whole period apart, so half a period decides */
-        if (fabs(nearest.x - image.x) < period.x / 2 &&
-            fabs(nearest.y - image.y) < period.y / 2) {
+        const murk_vec3 at = murk_photon_place(&photon[found[f]]);
+        if (is_nearest(sensor.x, at.x, period.x, k % 3 - 1) &&
+            is_nearest(sensor.y, at.y, period.y, k / 3 - 1)) {
             found[remaining++] = found[f];
         }
     }
     return remaining;
+}
+
+/* Merges the increasing runs found[0..n) and found[n..n + added) into one. The
+ * second run is first copied behind the two, so that the merge can proceed from
+ * the end in place. */
+static void merge(uint32_t *found, size_t n, size_t added)
+{
+    uint32_t *run = found + n + added;
+    memcpy(run, found + n, added * sizeof *run);
+    while (added > 0) {
+        const bool takes_run = n == 0 || run[added - 1] > found[n - 1];
+        const size_t to = n + added - 1;
+        found[to] = takes_run ? run[--added] : found[--n];
+    }
 }
 
 size_t murk_photons_nearby(const murk_photon_map *map,
@@ -34,15 +52,18 @@ size_t murk_photons_nearby(const murk_photon_map *map,
     if (!domain->is_periodic) {
         return murk_photon_map_within(map, sensor, range_m, found);
     }
+    /* Each photon is kept for one image only, so the merged runs and the copy
+     * of a run fit into twice the number of photons. */
     const murk_photon *photon = murk_photon_map_photons(map);
     size_t photons = 0;
     for (int k = 0; k < murk_domain_images(domain); ++k) {
         const murk_vec3 image = murk_domain_image(domain, sensor, k);
         const size_t n =
             murk_photon_map_within(map, image, range_m, found + photons);
-        photons +=
-            keep_nearest(found + photons, n, photon, domain, sensor, image);
+        const size_t added =
+            keep_nearest(found + photons, n, photon, domain, sensor, k);
+        merge(found, photons, added);
+        photons += added;
     }
-    qsort(found, photons, sizeof *found, murk_by_uint32);
     return photons;
 }

@@ -70,8 +70,27 @@ static void test_pieces_overlap_the_sides(void)
     CHECK_NEAR(piece[1].to.x, 0, 1e-12);
 }
 
+/* The nearest image by rounding alone, at offsets of up to 3 periods and around
+ * every half of a period: equal to the bit. */
+static void test_nearest_image_is_that_by_rounding(void)
+{
+    const double period = around.box.max.x - around.box.min.x;
+    const murk_vec3 to = {around.box.min.x + 0.3 * period, around.box.min.y, 0};
+    for (int i = -3000; i <= 3000; ++i) {
+        double x = to.x + i * period / 1000;
+        for (int step = 0; step < 5; ++step) {
+            const murk_vec3 found =
+                murk_path_nearest_image(&around, murk_vec(x, to.y, 0), to);
+            CHECK(found.x == x - period * floor((x - to.x) / period + 0.5));
+            CHECK(found.y == to.y);
+            x = nextafter(x, i % 2 == 0 ? INFINITY : -INFINITY);
+        }
+    }
+}
+
 int main(void)
 {
+    test_nearest_image_is_that_by_rounding();
     test_pieces_lie_inside_and_add_up();
     test_an_open_domain_is_never_cut();
     test_pieces_overlap_the_sides();
