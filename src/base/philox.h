@@ -1,7 +1,7 @@
-/* The words of murk_random() (base/rng.h), inline for loops that draw numbers
- * for several photons at once. Philox4x32-10 of the package Random123 (Salmon
- * et al. 2011, base/rng.h). Seed and purpose are the key of the cipher; photon,
- * event and slot are the counter. */
+/* The words of murk_random() (base/rng.h), and what loops need that draw
+ * numbers for several photons at once (transport/lanes_step.c). Philox4x32-10
+ * of the package Random123 (Salmon et al. 2011, base/rng.h). Seed and purpose
+ * are the key of the cipher; photon, event and slot are the counter. */
 #ifndef MURK_BASE_PHILOX_H
 #define MURK_BASE_PHILOX_H
 

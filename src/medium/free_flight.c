@@ -14,6 +14,7 @@
 #include "medium/albedo.h"
 #include "medium/delta.h"
 #include "medium/density_walk.h"
+#include "medium/even_regions.h"
 #include "medium/flight.h"
 
 #include <assert.h>
@@ -343,15 +344,8 @@ bool murk_media_even(const murk_media *media, int band,
     if (!media->is_even) {
         return false;
     }
-    const size_t number = media->places[0].medium;
-    const murk_medium *medium = &media->media[number];
-    const double extinction = medium->extinction_per_m.band[band];
-    const double albedo = medium->albedo.band[band];
-    *extinction_per_m = extinction;
-    *collision = (murk_collision){.medium = number,
-                                  .albedo = albedo,
-                                  .phase = &medium->phase[band],
-                                  .scattering_per_m = extinction * albedo};
+    *collision = murk_media_even_collision(media, media->places[0].medium, band,
+                                           extinction_per_m);
     return true;
 }
 

@@ -151,9 +151,11 @@ typedef struct murk_collision {
                                 collision */
 } murk_collision;
 
-/* Free flight: follows the ray until the optical depth reaches tau or the
- * length is used up. True, with *collision filled, if there is a collision;
- * u in (0, 1) selects the medium. */
+/* Free flight of a photon, which does not leave the domain: beyond the domain a
+ * collision has no meaning, because boxes around the domain are taken to be
+ * everywhere. Follows the ray until the optical depth reaches tau or the length
+ * is used up. True, with *collision filled, if there is a collision; u in (0,
+ * 1) selects the medium. */
 bool murk_media_fly(const murk_media *media, int band, murk_inside inside,
                     murk_vec3 origin, murk_vec3 direction, double length_m,
                     double tau, double u, murk_collision *collision);

@@ -9,13 +9,18 @@
  * filled last moves into the gap. */
 #include "transport/lanes.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/interrupt.h"
 #include "base/philox.h"
 
-/* With fewer photons than this a step costs more than the walker. */
+/* With fewer photons than this the walker is faster: a step of 8 lanes takes as
+ * long as some 2 or 3 collisions of the walker. */
 #define FEW 3
+
+static_assert(MURK_PHOTON_LANES % MURK_LANE_GROUP == 0, "whole groups");
+static_assert(MURK_PHOTON_LANES <= MURK_SCORE_PATHS, "a list for each lane");
 
 typedef struct lane_batch {
     const murk_lane_steps *steps;
@@ -96,7 +101,6 @@ static void put_in(lane_batch *b, size_t i)
     l->photon_high[i] = (uint32_t)(w->photon >> 32);
     l->number[i] = w->number;
     l->is_new[i] = 1;
-    l->limit_m[i] = INFINITY;
     b->phase[i] = NULL; /* until the next collision */
     murk_collision all;
     const murk_media *media = b->setup->world->media;
@@ -157,8 +161,8 @@ static void fly_each(lane_batch *b)
         const bool meets = murk_media_fly(
             b->setup->world->media, w->band, w->path.inside,
             murk_vec(ray->x[i], ray->y[i], ray->z[i]),
-            murk_vec(ray->dx[i], ray->dy[i], ray->dz[i]), l->limit_m[i],
-            l->tau[i], murk_uniform((uint32_t)l->word_medium[i]), &c);
+            murk_vec(ray->dx[i], ray->dy[i], ray->dz[i]), INFINITY, l->tau[i],
+            murk_uniform((uint32_t)l->word_medium[i]), &c);
         l->meets[i] = meets;
         if (meets) {
             if (b->sums->materials + c.medium != w->absorber) {
@@ -248,6 +252,8 @@ static void finish(lane_batch *b, size_t i)
     if (meets && b->is_watched) {
         watch(b, i);
     }
+    /* A photon whose list overflowed owns the scorer's sums and is followed to
+     * its end now. */
     const bool is_alone = w->score && w->score->has_sums;
     if (scatters && !is_alone) {
         return;
@@ -274,7 +280,9 @@ static void finish(lane_batch *b, size_t i)
 static void step(lane_batch *b)
 {
     murk_photon_lanes *l = &b->lanes;
-    const size_t n = b->n + (MURK_LANE_GROUP - 1);
+    /* Lanes beyond the last one compute numbers that nobody reads. */
+    const size_t n =
+        (b->n + MURK_LANE_GROUP - 1) / MURK_LANE_GROUP * MURK_LANE_GROUP;
     if (b->is_watched) {
         b->before = l->ray;
     }
@@ -328,14 +336,15 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
                                            setup->purpose_shift,
                                 .events_max = trace->events_max,
                                 .min_quanta = (double)setup->min_quanta,
-                                .sides = setup->space.sides,
-                                .is_open = true};
+                                .sides = setup->space.sides};
     double extinction_per_m;
     murk_collision all;
-    b.facts.regions =
-        murk_media_even_regions(setup->world->media, b.facts.region);
     b.is_even =
         murk_media_even(setup->world->media, 0, &extinction_per_m, &all);
+    if (!b.is_even) {
+        b.facts.regions =
+            murk_media_even_regions(setup->world->media, b.facts.region);
+    }
     b.is_watched = sums->scorer || trace->sink;
     b.has_other_phases = false;
     /* Begin a photon in each lane. */
@@ -344,7 +353,7 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
            begin(&b, b.n, sums->scorer ? &sums->scorer->path[b.n] : NULL)) {
         ++b.n;
     }
-    while (b.n >= FEW) {
+    while (b.n >= FEW && !murk_interrupted()) {
         step(&b);
     }
     /* The walker alone follows the last photons. */

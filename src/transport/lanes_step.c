@@ -1,12 +1,14 @@
 /* The arithmetic of a collision, as loops over lanes (transport/lanes_step.h).
  *
  * The loops are plain C without branches, which the compiler turns into vector
- * instructions; each loop is compiled once for every instruction set. All sets
- * give the same bits: the operations are those of IEEE 754 in the same order,
- * products and sums are never fused (-ffp-contract=off), and logarithm, sine
- * and cosine are made of such operations (base/logarithm.h, transport/turn.h).
- * The walker (transport/walk.c) uses the same functions, so a photon may change
- * between lanes and walker at any event. */
+ * instructions; only the rounds of the random numbers are written in vectors.
+ * Everything is compiled once for each instruction set. All sets give the same
+ * bits: the operations are those of IEEE 754 in the same order, products and
+ * sums are never fused (-ffp-contract=off), and logarithm, sine and cosine are
+ * made of such operations (base/logarithm.h, transport/turn.h). The walker
+ * (transport/walk.c, medium/free_flight.c) makes the same operations in the
+ * same order for one photon, and the test transport/lanes compares the two, so
+ * a photon may change between lanes and walker at any event. */
 #include "transport/lanes_step.h"
 
 #include <stdlib.h>
@@ -25,8 +27,8 @@
 /* Inlined into a function for each instruction set. */
 #define KERNEL static inline __attribute__((always_inline)) void
 
-/* A loop over lanes. The compiler may know that their number is a multiple of
- * the group. */
+/* A loop over lanes. The rounding down changes nothing: it tells the compiler
+ * that n is a multiple of the group. */
 #define FOR_LANES(n) \
     for (size_t i = 0; i < ((n) & ~(size_t)(MURK_LANE_GROUP - 1)); ++i)
 
@@ -53,14 +55,15 @@ static inline double uniform_of(uint64_t word)
         const vector factor_a = zero + MURK_PHILOX_FACTOR_A;               \
         const vector factor_c = zero + MURK_PHILOX_FACTOR_C;               \
         const vector low = zero + UINT32_MAX;                              \
-        const size_t whole = n & ~(size_t)(MURK_LANE_GROUP - 1);           \
-        for (size_t i = 0; i < whole; i += sizeof zero / sizeof zero[0]) { \
+        for (size_t i = 0; i < n; i += sizeof zero / sizeof zero[0]) {     \
+            /* The counter: photon, event, slot 0. */                      \
             vector a, b, c, d = zero;                                      \
             memcpy(&a, &l->photon_low[i], sizeof a);                       \
             memcpy(&b, &l->photon_high[i], sizeof b);                      \
             memcpy(&c, &l->number[i], sizeof c);                           \
             c += 1;                                                        \
             memcpy(&l->number[i], &c, sizeof c);                           \
+            /* The rounds. */                                              \
             uint32_t key_a = facts->seed, key_c = facts->purpose;          \
             for (int round = 0; round < MURK_PHILOX_ROUNDS; ++round) {     \
                 const vector from_a = product(a, factor_a);                \
@@ -72,6 +75,7 @@ static inline double uniform_of(uint64_t word)
                 key_a += MURK_PHILOX_KEY_A;                                \
                 key_c += MURK_PHILOX_KEY_C;                                \
             }                                                              \
+            /* Without the upper halves. */                                \
             a &= low;                                                      \
             b &= low;                                                      \
             c &= low;                                                      \
@@ -114,11 +118,8 @@ KERNEL fly(murk_photon_lanes *restrict l, size_t n)
     FOR_LANES(n)
     {
         const double extinction = l->extinction_per_m[i];
-        const double limit_m = l->limit_m[i], tau = l->tau[i];
-        const double distance_m = tau / extinction;
-        l->meets[i] = truth(extinction > 0) * truth(limit_m > 0) *
-                      truth(extinction * limit_m >= tau);
-        l->distance_m[i] = distance_m < limit_m ? distance_m : limit_m;
+        l->meets[i] = truth(extinction > 0);
+        l->distance_m[i] = l->tau[i] / extinction;
     }
 }
 
@@ -135,7 +136,7 @@ KERNEL clip(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
     FOR_LANES(n)
     {
         from[i] = 0;
-        to[i] = l->limit_m[i];
+        to[i] = INFINITY;
     }
     if (region->shape == MURK_EVEN_BELOW) {
         FOR_LANES(n)
@@ -178,7 +179,7 @@ KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
     FOR_LANES(n)
     {
         l->piece_to[i] = INFINITY;
-        l->left[i] = 0; /* here: whether any end is ahead */
+        l->is_ahead[i] = 0;
         l->piece_extinction[i] = 0;
     }
     for (size_t k = 0; k < regions; ++k) {
@@ -190,13 +191,13 @@ KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
             const double ahead = from[i] > here ? from[i] : to[i];
             const bool is_ahead = ahead > here;
             const bool is_nearer = is_ahead & (ahead < l->piece_to[i]);
-            l->left[i] = is_ahead ? 1 : l->left[i];
+            l->is_ahead[i] = is_ahead ? 1 : l->is_ahead[i];
             l->piece_to[i] = is_nearer ? ahead : l->piece_to[i];
         }
     }
     FOR_LANES(n)
     {
-        l->flies[i] *= l->left[i];
+        l->flies[i] *= l->is_ahead[i];
     }
 }
 
@@ -282,7 +283,7 @@ KERNEL fly_regions(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
         l->piece_from[i] = 0;
         l->depth[i] = 0;
         l->meets[i] = 0;
-        l->flies[i] = truth(l->limit_m[i] > 0);
+        l->flies[i] = 1;
     }
     double flying = 1;
     for (size_t step = 0; flying != 0 && step <= 2 * facts->regions; ++step) {
@@ -314,8 +315,8 @@ KERNEL fly_regions(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
             flying = l->flies[i] > flying ? l->flies[i] : flying;
         }
     }
-    /* find_piece() has moved the ends of intervals of lanes that met in earlier
-     * turns no further, because piece_from stayed. */
+    /* A lane that met keeps piece_from, so find_piece() gives it the same
+     * interval again. */
     select_region(l, facts, n);
 }
 
@@ -325,7 +326,6 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
     const murk_path_sides sides = facts->sides;
     const int64_t events_max = facts->events_max;
     const double min_quanta = facts->min_quanta;
-    const bool is_open = facts->is_open;
     murk_lane_rays *restrict ray = &l->ray;
     /* Move. */
     FOR_LANES(n)
@@ -337,7 +337,7 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
         const bool is_inside = (x >= sides.x[0]) & (x <= sides.x[1]) &
                                (y >= sides.y[0]) & (y <= sides.y[1]) &
                                (z >= sides.z[0]) & (z <= sides.z[1]);
-        const bool meets = (l->meets[i] != 0) & (is_inside | !is_open) &
+        const bool meets = (l->meets[i] != 0) & is_inside &
                            ((int64_t)l->number[i] <= events_max);
         l->meets[i] = truth(meets);
         ray->x[i] = meets ? murk_path_side_hold(x, sides.x) : ray->x[i];
@@ -409,7 +409,8 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
         turn(l, n);                                                          \
     }                                                                        \
     static const murk_lane_steps steps_##set = {                             \
-        draw_##set, fly_##set, fly_regions_##set, collide_##set, turn_##set};
+        #set,          draw_##set, fly_##set, fly_regions_##set,             \
+        collide_##set, turn_##set};
 
 MURK_COMPILED_FOR(baseline, , words_2, PRODUCT_2)
 

@@ -10,9 +10,10 @@
 #include "medium/even_regions.h"
 #include "path/sides.h"
 
-/* Lanes, and the granularity of their number: a step takes a multiple of
- * MURK_LANE_GROUP lanes, so that loops fill the registers. Neither enters a
- * result, because a photon knows nothing of the other lanes. */
+/* The number of lanes, and that to which the lanes of a step are rounded up, so
+ * that loops fill the registers. With 32 lanes the arrays take half of a cache
+ * of 32 kB. Neither number enters a result, because a photon knows nothing of
+ * the other lanes. */
 #define MURK_PHOTON_LANES 32
 #define MURK_LANE_GROUP   8
 
@@ -44,9 +45,8 @@ typedef struct murk_photon_lanes {
     murk_lane_word word_depth, word_medium, word_roulette, word_cosine;
     murk_lane_number tau;
 
-    /* The free flight: the length that it may have, and, if it ends in a medium
-     * (meets), the length and the properties of the medium. */
-    murk_lane_number limit_m;
+    /* The free flight: if it ends in a medium (meets), the length and the
+     * properties of the medium. */
     murk_lane_number meets, distance_m;
     murk_lane_number extinction_per_m; /* of a single even medium */
     murk_lane_number albedo, g;
@@ -63,7 +63,9 @@ typedef struct murk_photon_lanes {
     murk_lane_number piece_from, piece_to, piece_extinction, depth, flies;
     murk_lane_number first_region; /* the last of the regions of the interval
                                     * that replaces those before */
-    murk_lane_number left, region, scattering_per_m;
+    murk_lane_number is_ahead;     /* some end lies beyond piece_from */
+    murk_lane_number left;         /* of the drawn share of the extinction */
+    murk_lane_number region, scattering_per_m;
 
     /* The outcome of a collision. */
     murk_lane_number scatters, cosine, azimuth;
@@ -75,15 +77,14 @@ typedef struct murk_lane_facts {
     int64_t events_max;
     double min_quanta;
     murk_path_sides sides;
-    bool is_open;   /* a flight may end outside of the domain and then does not
-                     * count, because limit_m is not known */
-    size_t regions; /* even regions; 0: one medium, or flights of other kinds */
+    size_t regions; /* several even regions; 0: flights of another kind */
     murk_even_region region[MURK_EVEN_REGIONS_MAX];
 } murk_lane_facts;
 
 /* The steps of a collision for the first n lanes, n a multiple of
  * MURK_LANE_GROUP. */
 typedef struct murk_lane_steps {
+    const char *name; /* of the instruction set */
     /* Draws the random numbers of the next event. */
     void (*draw)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
                  size_t n);

@@ -89,8 +89,9 @@ static void cross_cells(murk_score_path *path, const murk_lattice *lattice,
 /* The cell of a coordinate in cells, if it lies in the grid. */
 static inline bool cell_of(double at, uint32_t size, int64_t *cell)
 {
-    *cell = (int64_t)at;
-    return at >= 0 && at < (double)size;
+    const bool is_within = at >= 0 && at < (double)size;
+    *cell = is_within ? (int64_t)at : 0;
+    return is_within;
 }
 
 /* One axis of a segment that begins and ends in the grid. */

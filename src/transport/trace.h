@@ -162,7 +162,8 @@ typedef struct murk_trace {
     murk_event_sink sink; /* may be NULL */
     bool takes_any_order; /* the sink takes the events of the photons of a batch
                            * in any order; the events of one photon stay in
-                           * order. Such photons are traced side by side */
+                           * order. Such photons
+                           * may be traced side by side (transport/lanes.h) */
     murk_segment_sink segment_sink; /* may be NULL */
     void *context;                  /* context of both callbacks */
     murk_tallies *tallies; /* may be NULL; created for at least `threads`
