@@ -182,6 +182,7 @@ KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
         l->is_ahead[i] = 0;
         l->piece_extinction[i] = 0;
     }
+    /* The nearest end over all regions. */
     for (size_t k = 0; k < regions; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];

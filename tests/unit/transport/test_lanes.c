@@ -160,13 +160,13 @@ static outcome *traced(const test_setup *setup, run given)
 /* True if the processor has the instruction set; else says so once. */
 static bool is_there(const char *set)
 {
-    static bool is_told;
+    static bool was_printed;
     setenv("MURK_LANES", set, 1);
     const bool is = strcmp(murk_lane_steps_chosen()->name, set) == 0;
     unsetenv("MURK_LANES");
-    if (!is && !is_told) {
+    if (!is && !was_printed) {
         fprintf(stderr, "this processor has no %s: not compared\n", set);
-        is_told = true;
+        was_printed = true;
     }
     return is;
 }
