@@ -288,7 +288,6 @@ KERNEL fly_regions(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
     }
     double flying = 1;
     for (size_t step = 0; flying != 0 && step <= 2 * facts->regions; ++step) {
-        double from[MURK_PHOTON_LANES]; /* of the lanes that fly on */
         find_piece(l, facts->regions, n);
         add_extinctions(l, facts, n);
         FOR_LANES(n)
@@ -306,13 +305,12 @@ KERNEL fly_regions(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
             l->distance_m[i] = meets ? distance_m : l->distance_m[i];
             l->depth[i] = has_extinction ? more : depth;
             l->flies[i] = truth(flies & !meets);
-            from[i] = (flies & !meets) ? end : begin;
+            /* A lane that meets keeps the interval of the collision. */
+            l->piece_from[i] = (flies & !meets) ? end : begin;
         }
-        /* A lane that has met keeps the interval of the collision. */
         flying = 0;
         FOR_LANES(n)
         {
-            l->piece_from[i] = from[i];
             flying = l->flies[i] > flying ? l->flies[i] : flying;
         }
     }
