@@ -32,14 +32,14 @@ static void hear(void *context, uint64_t batch, const murk_event *event)
 {
     heard *h = context;
     uint64_t *sum = &h->sum[event->photon];
-    CHECK(batch == event->photon / MURK_BATCH_PHOTONS);
     const double numbers[] = {
         event->position.x,      event->position.y,      event->position.z,
         event->direction_in.x,  event->direction_in.y,  event->direction_in.z,
         event->direction_out.x, event->direction_out.y, event->direction_out.z,
         event->reflectance,     event->weight,          event->leaving,
         event->path_m,          event->scattering_per_m};
-    const uint32_t whole[] = {(uint32_t)event->kind,
+    const uint32_t whole[] = {(uint32_t)batch,
+                              (uint32_t)event->kind,
                               (uint32_t)event->outcome,
                               (uint32_t)event->event_class,
                               event->number,
