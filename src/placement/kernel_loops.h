@@ -4,7 +4,7 @@
 #ifndef MURK_PLACEMENT_KERNEL_LOOPS_H
 #define MURK_PLACEMENT_KERNEL_LOOPS_H
 
-#include "placement/kernels.h"
+#include "placement/cover_lanes.h"
 #include "placement/problem.h"
 
 #ifndef MURK_TARGET
@@ -113,36 +113,39 @@ MURK_LOOP uint64_t murk_packed_sum(const uint64_t *row, const uint32_t *at,
     return sum;
 }
 
-MURK_TARGET static inline uint64_t
-murk_loop_packed(const uint64_t *row, const uint32_t *at,
-                 const uint16_t *clarity, const uint16_t *best,
-                 const uint32_t *weight, size_t words, bool is_independent,
-                 size_t *used)
-{
-    if (!clarity) {
-        return weight ? murk_packed_sum(row, at, NULL, best, weight, words,
-                                        false, used)
-                      : murk_packed_sum(row, at, NULL, best, NULL, words, false,
-                                        used);
+/* Defines the kernel packed() (placement/kernels.h) as `name`. `sum` is its
+ * loop, which is compiled for each combination of options that a row can have.
+ */
+#define MURK_PACKED_KERNEL(name, sum)                                         \
+    MURK_TARGET static inline uint64_t name(                                  \
+        const uint64_t *row, const uint32_t *at, const uint16_t *clarity,     \
+        const uint16_t *best, const uint32_t *weight, size_t words,           \
+        bool is_independent, size_t *used)                                    \
+    {                                                                         \
+        if (!clarity) {                                                       \
+            return weight                                                     \
+                       ? sum(row, at, NULL, best, weight, words, false, used) \
+                       : sum(row, at, NULL, best, NULL, words, false, used);  \
+        }                                                                     \
+        if (weight) {                                                         \
+            return sum(row, at, clarity, best, weight, words, is_independent, \
+                       used);                                                 \
+        }                                                                     \
+        return is_independent                                                 \
+                   ? sum(row, at, clarity, best, NULL, words, true, used)     \
+                   : sum(row, at, clarity, best, NULL, words, false, used);   \
     }
-    if (is_independent) {
-        return murk_packed_sum(row, at, clarity, best, weight, words, true,
-                               used);
-    }
-    return weight ? murk_packed_sum(row, at, clarity, best, weight, words,
-                                    false, used)
-                  : murk_packed_sum(row, at, clarity, best, NULL, words, false,
-                                    used);
-}
+
+MURK_PACKED_KERNEL(murk_loop_packed, murk_packed_sum)
 
 MURK_TARGET static inline void
 murk_loop_lanes(const uint64_t *row, const uint32_t *at,
                 const uint16_t *clarity, const uint16_t *best,
                 const uint32_t *weight, size_t words, size_t *used,
-                uint64_t sum[MURK_LANES])
+                uint64_t sum[MURK_COVER_LANES])
 {
     const uint16_t *p = clarity;
-    for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+    for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
         sum[lane] = 0;
     }
     for (size_t k = 0; k < words; ++k) {
@@ -150,9 +153,10 @@ murk_loop_lanes(const uint64_t *row, const uint32_t *at,
         for (uint64_t left = row[k]; left; left &= left - 1) {
             const size_t i = first + (size_t)__builtin_ctzll(left);
             const uint16_t given = clarity ? *p++ : MURK_CLEAR;
-            for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+            for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
                 sum[lane] +=
-                    murk_gain_term(given, best[MURK_LANES * i + lane], false) *
+                    murk_gain_term(given, best[MURK_COVER_LANES * i + lane],
+                                   false) *
                     (weight ? weight[i] : 1);
             }
         }

@@ -9,11 +9,8 @@
 #ifndef MURK_PLACEMENT_KERNELS_H
 #define MURK_PLACEMENT_KERNELS_H
 
+#include "placement/cover_lanes.h"
 #include "placement/problem.h"
-
-/* Covers that lanes() evaluates at once: 16 clarities fill a vector register of
- * AVX2. */
-#define MURK_LANES 16
 
 typedef struct murk_kernels {
     /* Sum of the weights of the bits that are set in row and not in full; their
@@ -33,13 +30,13 @@ typedef struct murk_kernels {
                        const uint16_t *clarity, const uint16_t *best,
                        const uint32_t *weight, size_t words,
                        bool is_independent, size_t *used);
-    /* The terms max(0, clarity - best) of packed() over MURK_LANES covers at
-     * once: best[slot * MURK_LANES + lane] is aligned to 64 bytes, and
+    /* The terms max(0, clarity - best) of packed() over MURK_COVER_LANES covers
+     * at once: best[slot * MURK_COVER_LANES + lane] is aligned to 64 bytes, and
      * sum[lane] receives the sum over the cover of the lane. */
     void (*lanes)(const uint64_t *row, const uint32_t *at,
                   const uint16_t *clarity, const uint16_t *best,
                   const uint32_t *weight, size_t words, size_t *used,
-                  uint64_t sum[MURK_LANES]);
+                  uint64_t sum[MURK_COVER_LANES]);
 } murk_kernels;
 
 /* Version k of those that this processor can run, the portable one first; NULL
@@ -55,7 +52,7 @@ const murk_kernels *murk_kernels_avx512(void);
 void murk_kernels_avx2_lanes(const uint64_t *row, const uint32_t *at,
                              const uint16_t *clarity, const uint16_t *best,
                              const uint32_t *weight, size_t words, size_t *used,
-                             uint64_t sum[MURK_LANES]);
+                             uint64_t sum[MURK_COVER_LANES]);
 
 /* The last of the versions that murk_kernels_number() lists. */
 const murk_kernels *murk_kernels_fastest(void);

@@ -192,25 +192,7 @@ MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
     return total;
 }
 
-MURK_TARGET static uint64_t packed(const uint64_t *row, const uint32_t *at,
-                                   const uint16_t *clarity,
-                                   const uint16_t *best, const uint32_t *weight,
-                                   size_t words, bool is_independent,
-                                   size_t *used)
-{
-    if (!clarity) {
-        return weight
-                   ? sum_packed(row, at, NULL, best, weight, words, false, used)
-                   : sum_packed(row, at, NULL, best, NULL, words, false, used);
-    }
-    if (weight) {
-        return sum_packed(row, at, clarity, best, weight, words, is_independent,
-                          used);
-    }
-    return is_independent
-               ? sum_packed(row, at, clarity, best, NULL, words, true, used)
-               : sum_packed(row, at, clarity, best, NULL, words, false, used);
-}
+MURK_PACKED_KERNEL(packed, sum_packed)
 
 /* ---- many covers at once ---- */
 
@@ -250,7 +232,7 @@ MURK_LOOP void add_lanes(lane_sums *sums, __m256i d, const uint32_t *weight)
 /* Adds the accumulators to sum[] in the order of the lanes, and empties them.
  */
 MURK_LOOP void flush_lanes(lane_sums *sums, bool has_weights,
-                           uint64_t sum[MURK_LANES])
+                           uint64_t sum[MURK_COVER_LANES])
 {
     for (size_t part = 0; part < (has_weights ? 4 : 2); ++part) {
         uint64_t of_64[4];
@@ -270,12 +252,12 @@ MURK_LOOP void flush_lanes(lane_sums *sums, bool has_weights,
 MURK_LOOP void sum_lanes(const uint64_t *row, const uint32_t *at,
                          const uint16_t *clarity, const uint16_t *best,
                          const uint32_t *weight, size_t words, size_t *used,
-                         uint64_t sum[MURK_LANES])
+                         uint64_t sum[MURK_COVER_LANES])
 {
     const uint16_t *p = clarity;
     const __m256i zero = _mm256_setzero_si256();
     lane_sums sums = {{zero, zero, zero, zero}};
-    for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+    for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
         sum[lane] = 0;
     }
     for (size_t k = 0; k < words;) {
@@ -288,8 +270,8 @@ MURK_LOOP void sum_lanes(const uint64_t *row, const uint32_t *at,
                 const size_t i = first + (size_t)__builtin_ctzll(left);
                 const __m256i given =
                     _mm256_set1_epi16((short)(clarity ? *p++ : MURK_CLEAR));
-                const __m256i old =
-                    _mm256_load_si256((const void *)(best + MURK_LANES * i));
+                const __m256i old = _mm256_load_si256(
+                    (const void *)(best + MURK_COVER_LANES * i));
                 add_lanes(&sums, _mm256_subs_epu16(given, old),
                           weight ? weight + i : NULL);
             }
@@ -299,12 +281,11 @@ MURK_LOOP void sum_lanes(const uint64_t *row, const uint32_t *at,
     *used = (size_t)(p - clarity);
 }
 
-MURK_TARGET void murk_kernels_avx2_lanes(const uint64_t *row,
-                                         const uint32_t *at,
-                                         const uint16_t *clarity,
-                                         const uint16_t *best,
-                                         const uint32_t *weight, size_t words,
-                                         size_t *used, uint64_t sum[MURK_LANES])
+MURK_TARGET void
+murk_kernels_avx2_lanes(const uint64_t *row, const uint32_t *at,
+                        const uint16_t *clarity, const uint16_t *best,
+                        const uint32_t *weight, size_t words, size_t *used,
+                        uint64_t sum[MURK_COVER_LANES])
 {
     if (!clarity) {
         sum_lanes(row, at, NULL, best, weight, words, used, sum);

@@ -173,25 +173,7 @@ MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
     return total;
 }
 
-MURK_TARGET static uint64_t packed(const uint64_t *row, const uint32_t *at,
-                                   const uint16_t *clarity,
-                                   const uint16_t *best, const uint32_t *weight,
-                                   size_t words, bool is_independent,
-                                   size_t *used)
-{
-    if (!clarity) {
-        return weight
-                   ? sum_packed(row, at, NULL, best, weight, words, false, used)
-                   : sum_packed(row, at, NULL, best, NULL, words, false, used);
-    }
-    if (weight) {
-        return sum_packed(row, at, clarity, best, weight, words, is_independent,
-                          used);
-    }
-    return is_independent
-               ? sum_packed(row, at, clarity, best, NULL, words, true, used)
-               : sum_packed(row, at, clarity, best, NULL, words, false, used);
-}
+MURK_PACKED_KERNEL(packed, sum_packed)
 
 static const murk_kernels avx512 = {count_new, dense, packed,
                                     murk_kernels_avx2_lanes};

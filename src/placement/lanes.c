@@ -27,23 +27,24 @@ bool murk_lanes_pay(const murk_evaluator *evaluator)
         return false;
     }
     const size_t layers = evaluator->layout->layers + 1;
-    return evaluator->layout->slots * sizeof(uint16_t) * MURK_LANES * layers <=
+    return evaluator->layout->slots * sizeof(uint16_t) * MURK_COVER_LANES *
+               layers <=
            evaluator->matrix->memory_bytes / SHARE_OF_ROWS;
 }
 
 murk_status murk_lanes_init(murk_lanes *out, const murk_evaluator *evaluator,
                             murk_error *err)
 {
-    *out =
-        (murk_lanes){.evaluator = evaluator,
-                     .best = murk_aligned_zeros(evaluator->layout->slots *
-                                                MURK_LANES * sizeof *out->best),
-                     .gain = calloc((evaluator->candidates + 1) * MURK_LANES,
-                                    sizeof *out->gain)};
+    *out = (murk_lanes){
+        .evaluator = evaluator,
+        .best = murk_aligned_zeros(evaluator->layout->slots * MURK_COVER_LANES *
+                                   sizeof *out->best),
+        .gain = calloc((evaluator->candidates + 1) * MURK_COVER_LANES,
+                       sizeof *out->gain)};
     if (!out->best || !out->gain) {
         murk_lanes_release(out);
         return murk_no_memory(err, "", "for %d plans of %zu photons",
-                              MURK_LANES, evaluator->layout->photons);
+                              MURK_COVER_LANES, evaluator->layout->photons);
     }
     return MURK_OK;
 }
@@ -66,7 +67,7 @@ static void interleave(void *context, unsigned worker, uint64_t block)
     for (size_t lane = 0; lane < l->covers; ++lane) {
         const uint16_t *best = l->cover[lane]->best;
         for (size_t i = first; i < past && i < slots; ++i) {
-            l->best[MURK_LANES * i + lane] = best[i];
+            l->best[MURK_COVER_LANES * i + lane] = best[i];
         }
     }
 }
@@ -102,7 +103,7 @@ static bool has_lanes(const murk_row *row)
 }
 
 /* Adds the gains of one row in words first..past-1 of the layout, which all
- * belong to one segment, to gain[MURK_LANES]. */
+ * belong to one segment, to gain[MURK_COVER_LANES]. */
 static void add_block(const murk_lanes *l, const murk_weight_run *segment,
                       const murk_row *row, row_rest *rest, size_t first,
                       size_t past, uint64_t *gain)
@@ -111,14 +112,14 @@ static void add_block(const murk_lanes *l, const murk_weight_run *segment,
     const size_t end = first_word_from(row, rest->word, past);
     /* A row without `at` has its words in the order of the layout. */
     const size_t from = row->at ? 0 : 64 * first;
-    uint64_t sum[MURK_LANES];
+    uint64_t sum[MURK_COVER_LANES];
     size_t used = 0;
     layout->kernels->lanes(row->bits + rest->word,
                            row->at ? row->at + rest->word : NULL, rest->clarity,
-                           l->best + MURK_LANES * from,
+                           l->best + MURK_COVER_LANES * from,
                            segment->is_mixed ? layout->weight + from : NULL,
                            end - rest->word, &used, sum);
-    for (size_t lane = 0; lane < MURK_LANES; ++lane) {
+    for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
         gain[lane] += sum[lane] * (segment->is_mixed ? 1 : segment->weight);
     }
     rest->word = end;
@@ -133,15 +134,15 @@ static void evaluate_rows(void *context, unsigned worker, uint64_t batch)
     (void)worker;
     const murk_layout *layout = l->evaluator->layout;
     const murk_row *row = l->evaluator->matrix->row + batch * ROWS_AT_ONCE;
-    uint64_t *gain = l->gain + batch * ROWS_AT_ONCE * MURK_LANES;
+    uint64_t *gain = l->gain + batch * ROWS_AT_ONCE * MURK_COVER_LANES;
     const size_t left = l->evaluator->candidates - batch * ROWS_AT_ONCE;
     const size_t n = left < ROWS_AT_ONCE ? left : ROWS_AT_ONCE;
     row_rest rest[ROWS_AT_ONCE];
     /* Begin each row; rows that have no bits are evaluated at once. */
     for (size_t k = 0; k < n; ++k) {
         rest[k] = (row_rest){0, row[k].clarity};
-        for (size_t lane = 0; lane < MURK_LANES; ++lane) {
-            gain[k * MURK_LANES + lane] =
+        for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
+            gain[k * MURK_COVER_LANES + lane] =
                 has_lanes(&row[k]) || lane >= l->covers
                     ? 0
                     : murk_row_gain(layout, &row[k], l->cover[lane]);
@@ -159,7 +160,7 @@ static void evaluate_rows(void *context, unsigned worker, uint64_t batch)
             for (size_t k = 0; k < n; ++k) {
                 if (has_lanes(&row[k])) {
                     add_block(l, segment, &row[k], &rest[k], first, past,
-                              gain + k * MURK_LANES);
+                              gain + k * MURK_COVER_LANES);
                 }
             }
         }

@@ -110,14 +110,14 @@ static void advance(murk_starts *t, shared_climb *c, murk_gain_scan *s,
 /* Makes all starts of a wave. */
 static void run_shared(murk_starts *t, size_t wave)
 {
-    shared_climb climbs[MURK_LANES] = {{.is_active = false}};
-    const murk_cover *cover[MURK_LANES];
+    shared_climb climbs[MURK_COVER_LANES] = {{.is_active = false}};
+    const murk_cover *cover[MURK_COVER_LANES];
     size_t begun = 0;
     memset(t->start, 0, wave * sizeof *t->start);
     while (true) {
         /* Prepare the next step of each search. */
         size_t active = 0;
-        for (size_t k = 0; k < MURK_LANES; ++k) {
+        for (size_t k = 0; k < MURK_COVER_LANES; ++k) {
             advance(t, &climbs[k], &t->search[k], &begun, wave);
             if (climbs[k].is_active) {
                 cover[active++] = &t->search[k].cover;
@@ -131,11 +131,11 @@ static void run_shared(murk_starts *t, size_t wave)
         if (is_shared) {
             murk_lanes_gains(&t->lanes, cover, active);
         }
-        for (size_t k = 0, lane = 0; k < MURK_LANES; ++k) {
+        for (size_t k = 0, lane = 0; k < MURK_COVER_LANES; ++k) {
             if (climbs[k].is_active) {
                 murk_gain_scan *s = &t->search[k];
                 s->known = is_shared ? t->lanes.gain + lane++ : NULL;
-                s->known_step = MURK_LANES;
+                s->known_step = MURK_COVER_LANES;
                 murk_climb_move(&climbs[k].climb, s);
                 s->known = NULL;
             }
@@ -153,7 +153,7 @@ static void choose_searches(murk_starts *t, const murk_evaluator *evaluator,
     const bool is_wide = !evaluator->has_all_rows ||
                          murk_evaluator_threads(evaluator, MURK_SCAN_CHUNK) > 1;
     t->has_lanes = murk_lanes_pay(evaluator);
-    *searches = t->has_lanes ? MURK_LANES : is_wide ? 1 : all;
+    *searches = t->has_lanes ? MURK_COVER_LANES : is_wide ? 1 : all;
     *threads = t->has_lanes || is_wide ? all : 1;
     /* In shared passes no start of a wave is in vain: with fewer starts the
      * stop rule cannot end them. */

@@ -99,14 +99,15 @@ static void check_lanes(const murk_kernels *f, const arrays *a,
                         const uint32_t *at, size_t words, size_t slots)
 {
     const murk_kernels *p = murk_kernels_number(0);
-    uint16_t *best = aligned_alloc(64, 2 * slots * MURK_LANES + 64);
-    for (size_t i = 0; i < slots * MURK_LANES; ++i) {
-        best[i] = a->best[(i / MURK_LANES + i % MURK_LANES) % slots];
+    uint16_t *best = aligned_alloc(64, 2 * slots * MURK_COVER_LANES + 64);
+    for (size_t i = 0; i < slots * MURK_COVER_LANES; ++i) {
+        best[i] =
+            a->best[(i / MURK_COVER_LANES + i % MURK_COVER_LANES) % slots];
     }
     for (int form = 0; form < 4; ++form) {
         const uint16_t *clarity = form / 2 ? a->packed : NULL;
         const uint32_t *weight = form % 2 ? a->weight : NULL;
-        uint64_t sum[2][MURK_LANES];
+        uint64_t sum[2][MURK_COVER_LANES];
         size_t used[2] = {0};
         p->lanes(a->row, at, clarity, best, weight, words, &used[0], sum[0]);
         f->lanes(a->row, at, clarity, best, weight, words, &used[1], sum[1]);

@@ -43,7 +43,7 @@ static murk_matrix *matrix_of(const made_up *m)
     return matrix;
 }
 
-/* Over 1 to MURK_LANES covers of up to five rows each. */
+/* Over 1 to MURK_COVER_LANES covers of up to five rows each. */
 static void check_gains(const murk_evaluator *o)
 {
     const murk_layout *layout = o->layout;
@@ -51,9 +51,9 @@ static void check_gains(const murk_evaluator *o)
     murk_lanes lanes;
     murk_error err = {0};
     CHECK(murk_lanes_init(&lanes, o, &err) == MURK_OK);
-    murk_cover cover[MURK_LANES];
-    const murk_cover *borrowed[MURK_LANES];
-    for (size_t k = 0; k < MURK_LANES; ++k) {
+    murk_cover cover[MURK_COVER_LANES];
+    const murk_cover *borrowed[MURK_COVER_LANES];
+    for (size_t k = 0; k < MURK_COVER_LANES; ++k) {
         CHECK(murk_cover_init(&cover[k], layout, o->is_binary));
         borrowed[k] = &cover[k];
         for (size_t n = 0; n < k % 6; ++n) {
@@ -63,17 +63,17 @@ static void check_gains(const murk_evaluator *o)
     }
     /* Compare all gains over the first n covers with those over one cover. */
     size_t off = 0;
-    for (size_t n = 1; n <= MURK_LANES; n += 5) {
+    for (size_t n = 1; n <= MURK_COVER_LANES; n += 5) {
         murk_lanes_gains(&lanes, borrowed, n);
         for (size_t j = 0; j < o->candidates; ++j) {
             for (size_t k = 0; k < n; ++k) {
-                off += lanes.gain[j * MURK_LANES + k] !=
+                off += lanes.gain[j * MURK_COVER_LANES + k] !=
                        murk_row_gain(layout, &row[j], &cover[k]);
             }
         }
     }
     CHECK(off == 0);
-    for (size_t k = 0; k < MURK_LANES; ++k) {
+    for (size_t k = 0; k < MURK_COVER_LANES; ++k) {
         murk_cover_release(&cover[k]);
     }
     murk_lanes_release(&lanes);
