@@ -61,8 +61,8 @@ typedef struct murk_score_entry {
 } murk_score_entry;
 
 /* Contributions that a photon may list before the list is emptied into the sums
- * of the photon. A photon of the bench's cubes has 200 to 900; the lists of a
- * thread take 1 MiB. */
+ * of the photon: a few cells for each of several hundred collisions. The lists
+ * of a thread take 1 MiB. */
 #define MURK_SCORE_ENTRIES 2048
 
 /* Photons of one thread that are under way at the same time, at most. */
