@@ -11,8 +11,8 @@
 #include "path/sides.h"
 
 /* The number of lanes, and that to which the lanes of a step are rounded up, so
- * that loops fill the registers. With 32 lanes the arrays take 19 kB, less
- * than a cache of 32 kB. Neither number enters a result, because a photon knows
+ * that loops fill the registers. With 32 lanes the arrays take 19 kB, less than
+ * a cache of 32 kB. Neither number enters a result, because a photon knows
  * nothing of the other lanes. */
 #define MURK_PHOTON_LANES 32
 #define MURK_LANE_GROUP   8
