@@ -103,19 +103,6 @@ bool murk_affine_invert(const murk_affine *a, murk_affine *out)
     return true;
 }
 
-murk_vec3 murk_affine_point(const murk_affine *a, murk_vec3 p)
-{
-    return murk_add(murk_affine_direction(a, p), a->shift);
-}
-
-murk_vec3 murk_affine_direction(const murk_affine *a, murk_vec3 d)
-{
-    const double(*m)[3] = a->matrix;
-    return (murk_vec3){m[0][0] * d.x + m[0][1] * d.y + m[0][2] * d.z,
-                       m[1][0] * d.x + m[1][1] * d.y + m[1][2] * d.z,
-                       m[2][0] * d.x + m[2][1] * d.y + m[2][2] * d.z};
-}
-
 murk_box murk_affine_box(const murk_affine *a, const murk_box *box)
 {
     murk_box out = murk_box_empty();

@@ -14,8 +14,8 @@
 #include "medium/albedo.h"
 #include "medium/delta.h"
 #include "medium/density_walk.h"
-#include "medium/even_regions.h"
 #include "medium/flight.h"
+#include "medium/lane_regions.h"
 
 #include <assert.h>
 #include <math.h>

@@ -19,8 +19,8 @@
  * long as some 2 or 3 collisions of the walker. */
 #define FEW 3
 
-static_assert(MURK_PHOTON_LANES % MURK_LANE_GROUP == 0, "whole groups");
-static_assert(MURK_PHOTON_LANES <= MURK_SCORE_PATHS, "a list for each lane");
+static_assert(MURK_LANE_COUNT % MURK_LANE_GROUP == 0, "whole groups");
+static_assert(MURK_LANE_COUNT <= MURK_SCORE_PATHS, "a list for each lane");
 
 typedef struct lane_batch {
     const murk_lane_steps *steps;
@@ -35,10 +35,10 @@ typedef struct lane_batch {
     size_t n;              /* lanes in use: the first n */
     murk_photon_lanes lanes;
     murk_lane_rays before; /* the rays before the step, if is_watched */
-    murk_walker walker[MURK_PHOTON_LANES];
+    murk_walker walker[MURK_LANE_COUNT];
     const murk_phase
-        *phase[MURK_PHOTON_LANES]; /* of the medium of the collision */
-    double scattering_per_m[MURK_PHOTON_LANES];
+        *phase[MURK_LANE_COUNT]; /* of the medium of the collision */
+    double scattering_per_m[MURK_LANE_COUNT];
 } lane_batch;
 
 /* ---- between walker and lane ---- */
@@ -107,10 +107,10 @@ static void put_in(lane_batch *b, size_t i)
     if (murk_media_even(media, w->band, &l->extinction_per_m[i], &all)) {
         set_medium(b, i, &all);
     }
-    for (size_t k = 0; k < b->facts.regions; ++k) {
+    for (size_t k = 0; k < b->facts.regions.n; ++k) {
         const murk_collision c =
-            murk_media_even_collision(media, b->facts.region[k].medium, w->band,
-                                      &l->region_extinction[k][i]);
+            murk_media_even_collision(media, b->facts.regions.region[k].medium,
+                                      w->band, &l->region_extinction[k][i]);
         l->region_albedo[k][i] = c.albedo;
         l->region_g[k][i] =
             c.phase->kind == MURK_PHASE_HG ? c.phase->value[0] : 0;
@@ -181,7 +181,8 @@ static void find_media(lane_batch *b)
     const murk_media *media = b->setup->world->media;
     for (size_t i = 0; i < b->n; ++i) {
         const murk_walker *w = &b->walker[i];
-        const size_t medium = b->facts.region[(size_t)l->region[i]].medium;
+        const size_t medium =
+            b->facts.regions.region[(size_t)l->region[i]].medium;
         if (l->meets[i] == 0) {
             continue;
         }
@@ -289,7 +290,7 @@ static void step(lane_batch *b)
     b->steps->draw(l, &b->facts, n);
     if (b->is_even) {
         b->steps->fly(l, n);
-    } else if (b->facts.regions > 0) {
+    } else if (b->facts.has_regions) {
         b->steps->fly_regions(l, &b->facts, n);
         find_media(b);
     } else {
@@ -342,14 +343,18 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
     b.is_even =
         murk_media_even(setup->world->media, 0, &extinction_per_m, &all);
     if (!b.is_even) {
-        b.facts.regions =
-            murk_media_even_regions(setup->world->media, b.facts.region);
+        murk_lane_regions *regions = &b.facts.regions;
+        b.facts.has_regions =
+            murk_media_lane_regions(setup->world->media, regions);
+        if (b.facts.has_regions && regions->has_grid) {
+            b.facts.grid = murk_grid_lane_steps_for(steps->set);
+        }
     }
     b.is_watched = sums->scorer || trace->sink;
     b.has_other_phases = false;
     /* Begin a photon in each lane. */
     b.n = 0;
-    while (b.n < MURK_PHOTON_LANES &&
+    while (b.n < MURK_LANE_COUNT &&
            begin(&b, b.n, sums->scorer ? &sums->scorer->path[b.n] : NULL)) {
         ++b.n;
     }

@@ -1,5 +1,5 @@
 /* Traces the photons of a batch side by side: collisions in media are computed
- * for MURK_PHOTON_LANES photons at once (transport/lanes_step.h); every other
+ * for MURK_LANE_COUNT photons at once (transport/lanes_step.h); every other
  * event of a photon is that of the walker (transport/walk.h). Both compute the
  * same numbers in the same order, so the result is that of the walker to the
  * bit. For use inside src/transport only. */

@@ -1,17 +1,13 @@
 /* The arithmetic of a collision, as loops over lanes (transport/lanes_step.h).
  *
- * The loops are plain C without branches, which the compiler turns into vector
- * instructions; only the rounds of the random numbers are written in vectors.
- * Everything is compiled once for each instruction set. All sets give the same
- * bits: the operations are those of IEEE 754 in the same order, products and
- * sums are never fused (-ffp-contract=off), and logarithm, sine and cosine are
- * made of such operations (base/logarithm.h, transport/turn.h). The walker
+ * Only the rounds of the random numbers are written in vectors. Logarithm, sine
+ * and cosine are made of the operations of base/lanes.h (base/logarithm.h,
+ * transport/turn.h). The walker
  * (transport/walk.c, medium/free_flight.c) makes the same operations in the
  * same order for one photon, and the test transport/lanes compares the two, so
  * a photon may change between lanes and walker at any event. */
 #include "transport/lanes_step.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #if defined(__x86_64__)
@@ -23,14 +19,6 @@
 #include "medium/clip.h"
 #include "medium/phase.h"
 #include "transport/turn.h"
-
-/* Inlined into a function for each instruction set. */
-#define KERNEL static inline __attribute__((always_inline)) void
-
-/* A loop over lanes. The rounding down changes nothing: it tells the compiler
- * that n is a multiple of the group. */
-#define FOR_LANES(n) \
-    for (size_t i = 0; i < ((n) & ~(size_t)(MURK_LANE_GROUP - 1)); ++i)
 
 /* The number in (0, 1) of a random word; murk_uniform() for a word in the space
  * of a number. The word is put into the mantissa of 2^52, because few
@@ -99,70 +87,70 @@ typedef uint64_t words_8 __attribute__((vector_size(64)));
 #define PRODUCT_2(a, b) (((a)&UINT32_MAX) * (b))
 #endif
 
-KERNEL draw_depth(murk_photon_lanes *restrict l, size_t n)
+MURK_LANE_KERNEL draw_depth(murk_photon_lanes *restrict l, size_t n)
 {
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         l->tau[i] = -murk_log(uniform_of(l->word_depth[i]));
     }
 }
 
-static inline double truth(bool is_true)
-{
-    return is_true ? 1 : 0;
-}
-
 /* As murk_media_fly() in a single even medium. */
-KERNEL fly(murk_photon_lanes *restrict l, size_t n)
+MURK_LANE_KERNEL fly(murk_photon_lanes *restrict l, size_t n)
 {
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         const double extinction = l->extinction_per_m[i];
-        l->meets[i] = truth(extinction > 0);
+        l->meets[i] = murk_truth(extinction > 0);
         l->distance_m[i] = l->tau[i] / extinction;
     }
 }
 
 /* The part of each ray inside a region. */
-KERNEL clip(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
-            size_t k, size_t n)
+MURK_LANE_KERNEL clip(murk_photon_lanes *restrict l,
+                      const murk_lane_facts *facts, size_t k, size_t n)
 {
-    const murk_even_region *region = &facts->region[k];
+    const murk_lane_region *region = &facts->regions.region[k];
     const murk_box box = region->box;
     const murk_vec3 center = region->center;
     const double radius_m = region->radius_m, level_m = region->level_m;
     const murk_lane_rays *restrict ray = &l->ray;
     double *restrict from = l->span_from[k], *restrict to = l->span_to[k];
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         from[i] = 0;
         to[i] = INFINITY;
     }
-    if (region->shape == MURK_EVEN_BELOW) {
-        FOR_LANES(n)
+    if (region->shape == MURK_LANE_BELOW) {
+        MURK_FOR_LANES(n)
         {
             murk_clip_coordinate(-INFINITY, level_m, ray->z[i], ray->dz[i],
                                  &from[i], &to[i]);
         }
-    } else if (region->shape == MURK_EVEN_BOX) {
-        FOR_LANES(n)
+    } else if (region->shape == MURK_LANE_BOX) {
+        MURK_FOR_LANES(n)
         {
             const murk_vec3 o = {ray->x[i], ray->y[i], ray->z[i]};
             const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
             murk_clip_box(&box, o, d, &from[i], &to[i]);
         }
-    } else if (region->shape == MURK_EVEN_SPHERE) {
-        FOR_LANES(n)
+    } else if (region->shape == MURK_LANE_SPHERE) {
+        MURK_FOR_LANES(n)
         {
             const murk_vec3 o = {ray->x[i], ray->y[i], ray->z[i]};
             const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
             murk_clip_sphere(center, radius_m, o, d, &from[i], &to[i]);
         }
     }
+    if (region->is_grid) {
+        const double *const of_ray[6] = {ray->x,  ray->y,  ray->z,
+                                         ray->dx, ray->dy, ray->dz};
+        facts->grid->clip(&l->grid, &facts->regions.grid, of_ray, from, to, n);
+    }
     /* A region that neither replaces others nor has an extinction divides no
      * ray. */
-    const double replaces = truth(region->replaces);
-    FOR_LANES(n)
+    const double replaces = murk_truth(region->replaces);
+    MURK_FOR_LANES(n)
     {
         const bool counts =
             (from[i] < to[i]) &
@@ -174,9 +162,10 @@ KERNEL clip(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
 
 /* The next end of a part of the ray beyond piece_from; a lane without one flies
  * no further. */
-KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
+MURK_LANE_KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions,
+                            size_t n)
 {
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         l->piece_to[i] = INFINITY;
         l->is_ahead[i] = 0;
@@ -186,7 +175,7 @@ KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
     for (size_t k = 0; k < regions; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];
-        FOR_LANES(n)
+        MURK_FOR_LANES(n)
         {
             const double here = l->piece_from[i];
             const double ahead = from[i] > here ? from[i] : to[i];
@@ -196,22 +185,32 @@ KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions, size_t n)
             l->piece_to[i] = is_nearer ? ahead : l->piece_to[i];
         }
     }
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         l->flies[i] *= l->is_ahead[i];
     }
 }
 
-/* Adds the extinctions of the regions that fill the interval. */
-KERNEL add_extinctions(murk_photon_lanes *restrict l,
-                       const murk_lane_facts *facts, size_t n)
+/* The extinction of a region, that of a grid where the lane has collided. */
+static inline const double *extinction_of(const murk_photon_lanes *l,
+                                          const murk_lane_facts *facts,
+                                          size_t k)
 {
-    for (size_t k = 0; k < facts->regions; ++k) {
+    return facts->regions.region[k].is_grid ? l->grid_extinction
+                                            : l->region_extinction[k];
+}
+
+/* Adds the extinctions of the regions that fill the interval. The extinction of
+ * a grid counts as 0 until the lane has collided. */
+MURK_LANE_KERNEL add_extinctions(murk_photon_lanes *restrict l,
+                                 const murk_lane_facts *facts, size_t n)
+{
+    for (size_t k = 0; k < facts->regions.n; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];
-        const double keeps = facts->region[k].replaces ? 0 : 1;
-        const double *restrict extinction = l->region_extinction[k];
-        FOR_LANES(n)
+        const double keeps = facts->regions.region[k].replaces ? 0 : 1;
+        const double *restrict extinction = extinction_of(l, facts, k);
+        MURK_FOR_LANES(n)
         {
             const bool is_present =
                 (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]);
@@ -222,22 +221,19 @@ KERNEL add_extinctions(murk_photon_lanes *restrict l,
     }
 }
 
-/* Selects the region of the collision in proportion to extinction. */
-KERNEL select_region(murk_photon_lanes *restrict l,
-                     const murk_lane_facts *facts, size_t n)
+/* The last region of the interval that replaces those before it. */
+MURK_LANE_KERNEL find_first(murk_photon_lanes *restrict l,
+                            const murk_lane_facts *facts, size_t n)
 {
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
-        l->left[i] = uniform_of(l->word_medium[i]) * l->piece_extinction[i];
-        l->scattering_per_m[i] = 0;
         l->first_region[i] = 0;
     }
-    /* The last region that replaces those before it. */
-    for (size_t k = 0; k < facts->regions; ++k) {
+    for (size_t k = 0; k < facts->regions.n; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];
-        const double replaces = truth(facts->region[k].replaces);
-        FOR_LANES(n)
+        const double replaces = murk_truth(facts->regions.region[k].replaces);
+        MURK_FOR_LANES(n)
         {
             const bool is_present =
                 (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]);
@@ -245,15 +241,27 @@ KERNEL select_region(murk_photon_lanes *restrict l,
             l->first_region[i] = is_first ? (double)k : l->first_region[i];
         }
     }
+}
+
+/* Selects the region of the collision in proportion to extinction, from
+ * find_first() on. */
+MURK_LANE_KERNEL select_region(murk_photon_lanes *restrict l,
+                               const murk_lane_facts *facts, size_t n)
+{
+    MURK_FOR_LANES(n)
+    {
+        l->left[i] = uniform_of(l->word_medium[i]) * l->piece_extinction[i];
+        l->scattering_per_m[i] = 0;
+    }
     /* The region at which the sum of extinctions exceeds the drawn share. */
-    for (size_t k = 0; k < facts->regions; ++k) {
+    for (size_t k = 0; k < facts->regions.n; ++k) {
         const double *restrict from = l->span_from[k], *restrict to =
                                                            l->span_to[k];
-        const double *restrict extinction = l->region_extinction[k];
+        const double *restrict extinction = extinction_of(l, facts, k);
         const double *restrict albedo = l->region_albedo[k];
         const double *restrict g = l->region_g[k];
         const double number = (double)k;
-        FOR_LANES(n)
+        MURK_FOR_LANES(n)
         {
             const bool is_present =
                 (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]) &
@@ -271,63 +279,128 @@ KERNEL select_region(murk_photon_lanes *restrict l,
     }
 }
 
-/* As murk_media_fly() in several even regions: from end to end of the parts of
- * the ray in the regions, until the optical depth is reached. */
-KERNEL fly_regions(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
-                   size_t n)
+/* The walks through the grid, of lanes whose interval is in the region of the
+ * grid. */
+MURK_LANE_KERNEL walk_grid(murk_photon_lanes *restrict l,
+                           const murk_lane_facts *facts, size_t n)
 {
-    for (size_t k = 0; k < facts->regions; ++k) {
+    murk_grid_lanes *restrict g = &l->grid;
+    for (size_t k = 0; k < facts->regions.n; ++k) {
+        if (!facts->regions.region[k].is_grid) {
+            continue;
+        }
+        const double *restrict from = l->span_from[k], *restrict to =
+                                                           l->span_to[k];
+        const double region = (double)k;
+        MURK_FOR_LANES(n)
+        {
+            const bool is_present = (from[i] <= l->piece_from[i]) &
+                                    (to[i] >= l->piece_to[i]) &
+                                    (region >= l->first_region[i]);
+            const bool walks = is_present & (l->flies[i] != 0);
+            g->walks[i] = murk_truth(walks);
+            g->from[i] = l->piece_from[i];
+            g->end[i] = l->piece_to[i];
+            g->scale[i] = l->region_extinction[k][i];
+            g->offset[i] = l->piece_extinction[i];
+            g->limit[i] = l->tau[i];
+            g->sum[i] = l->depth[i];
+        }
+        facts->grid->walk(g, &facts->regions.grid, n);
+        MURK_FOR_LANES(n)
+        {
+            const bool walks = g->walks[i] != 0;
+            const bool stops = walks & (g->stops[i] != 0);
+            const double extinction = g->value[i] * g->scale[i];
+            l->depth[i] = walks ? g->sum[i] : l->depth[i];
+            l->meets[i] = stops ? 1 : l->meets[i];
+            l->distance_m[i] = stops ? g->to[i] : l->distance_m[i];
+            l->grid_extinction[i] = stops ? extinction : l->grid_extinction[i];
+            /* A lane that has walked crosses no even interval. */
+            l->piece_extinction[i] = walks ? 0 : l->piece_extinction[i];
+        }
+    }
+}
+
+/* Without the collisions of walks: where the extinction of the interval is
+ * even, moves to its end, or to the collision. */
+MURK_LANE_KERNEL cross_even(murk_photon_lanes *restrict l, size_t n)
+{
+    MURK_FOR_LANES(n)
+    {
+        const double extinction = l->piece_extinction[i];
+        const double begin = l->piece_from[i], end = l->piece_to[i];
+        const double depth = l->depth[i], tau = l->tau[i];
+        const double more = depth + extinction * (end - begin);
+        const double reached = begin + (tau - depth) / extinction;
+        const bool flies = l->flies[i] != 0;
+        const bool has_extinction = extinction > 0;
+        const bool is_even = flies & has_extinction & (more >= tau);
+        const double distance_m = reached < end ? reached : end;
+        const bool meets = is_even | (flies & (l->meets[i] != 0));
+        l->meets[i] = meets ? 1 : l->meets[i];
+        l->distance_m[i] = is_even ? distance_m : l->distance_m[i];
+        l->depth[i] = has_extinction ? more : depth;
+        l->flies[i] = murk_truth(flies & !meets);
+        /* A lane that meets keeps the interval of the collision. */
+        l->piece_from[i] = (flies & !meets) ? end : begin;
+    }
+}
+
+/* As murk_media_fly() in several regions: from end to end of the parts of the
+ * ray in the regions, until the optical depth is reached. */
+MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
+                             const murk_lane_facts *facts, size_t n)
+{
+    for (size_t k = 0; k < facts->regions.n; ++k) {
         clip(l, facts, k, n);
     }
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         l->piece_from[i] = 0;
         l->depth[i] = 0;
         l->meets[i] = 0;
         l->flies[i] = 1;
+        l->grid_extinction[i] = 0;
     }
     double flying = 1;
-    for (size_t step = 0; flying != 0 && step <= 2 * facts->regions; ++step) {
-        find_piece(l, facts->regions, n);
+    for (size_t step = 0; flying != 0 && step <= 2 * facts->regions.n; ++step) {
+        find_piece(l, facts->regions.n, n);
         add_extinctions(l, facts, n);
-        FOR_LANES(n)
-        {
-            const double extinction = l->piece_extinction[i];
-            const double begin = l->piece_from[i], end = l->piece_to[i];
-            const double depth = l->depth[i], tau = l->tau[i];
-            const double more = depth + extinction * (end - begin);
-            const double reached = begin + (tau - depth) / extinction;
-            const bool flies = l->flies[i] != 0;
-            const bool has_extinction = extinction > 0;
-            const bool meets = flies & has_extinction & (more >= tau);
-            const double distance_m = reached < end ? reached : end;
-            l->meets[i] = meets ? 1 : l->meets[i];
-            l->distance_m[i] = meets ? distance_m : l->distance_m[i];
-            l->depth[i] = has_extinction ? more : depth;
-            l->flies[i] = truth(flies & !meets);
-            /* A lane that meets keeps the interval of the collision. */
-            l->piece_from[i] = (flies & !meets) ? end : begin;
+        if (facts->grid) {
+            find_first(l, facts, n);
+            walk_grid(l, facts, n);
         }
+        cross_even(l, n);
         flying = 0;
-        FOR_LANES(n)
+        MURK_FOR_LANES(n)
         {
             flying = l->flies[i] > flying ? l->flies[i] : flying;
         }
     }
-    /* A lane that met keeps piece_from, so find_piece() gives it the same
-     * interval again. */
+    /* A lane that met keeps piece_from, so find_piece() gave it the same
+     * interval again. The extinctions of the interval, with that of the grid.
+     */
+    if (facts->grid) {
+        MURK_FOR_LANES(n)
+        {
+            l->piece_extinction[i] = 0;
+        }
+        add_extinctions(l, facts, n);
+    }
+    find_first(l, facts, n);
     select_region(l, facts, n);
 }
 
-KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
-               size_t n)
+MURK_LANE_KERNEL collide(murk_photon_lanes *restrict l,
+                         const murk_lane_facts *facts, size_t n)
 {
     const murk_path_sides sides = facts->sides;
     const int64_t events_max = facts->events_max;
     const double min_quanta = facts->min_quanta;
     murk_lane_rays *restrict ray = &l->ray;
     /* Move. */
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         const double d = l->distance_m[i];
         const double x = ray->x[i] + d * ray->dx[i];
@@ -338,13 +411,13 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
                                (z >= sides.z[0]) & (z <= sides.z[1]);
         const bool meets = (l->meets[i] != 0) & is_inside &
                            ((int64_t)l->number[i] <= events_max);
-        l->meets[i] = truth(meets);
+        l->meets[i] = murk_truth(meets);
         ray->x[i] = meets ? murk_path_side_hold(x, sides.x) : ray->x[i];
         ray->y[i] = meets ? murk_path_side_hold(y, sides.y) : ray->y[i];
         ray->z[i] = meets ? murk_path_side_hold(z, sides.z) : ray->z[i];
     }
     /* Split the packet, or decide by roulette (walk.c, scatter()). */
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         const bool meets = l->meets[i] != 0;
         const double before = ray->quanta[i];
@@ -358,17 +431,17 @@ KERNEL collide(murk_photon_lanes *restrict l, const murk_lane_facts *facts,
             (is_split & (left > 0)) | (!is_split & (u < albedo));
         ray->quanta[i] = after;
         l->absorbed[i] += before - after;
-        l->scatters[i] = truth(meets & survives);
+        l->scatters[i] = murk_truth(meets & survives);
         l->azimuth[i] = is_split ? u : u / albedo;
         l->is_new[i] = meets ? 0 : l->is_new[i];
         l->cosine[i] = murk_hg_sample(l->g[i], uniform_of(l->word_cosine[i]));
     }
 }
 
-KERNEL turn(murk_photon_lanes *restrict l, size_t n)
+MURK_LANE_KERNEL turn(murk_photon_lanes *restrict l, size_t n)
 {
     murk_lane_rays *restrict ray = &l->ray;
-    FOR_LANES(n)
+    MURK_FOR_LANES(n)
     {
         const bool scatters = l->scatters[i] != 0;
         const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
@@ -380,7 +453,7 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
     }
 }
 
-/* One function of each kernel for an instruction set, and the row of them. */
+/* One function of each kernel for an instruction set. */
 #define MURK_COMPILED_FOR(set, target, vector, product)                      \
     MURK_WORDS_FOR(set, target, vector, product)                             \
     target static void draw_##set(murk_photon_lanes *l,                      \
@@ -406,39 +479,27 @@ KERNEL turn(murk_photon_lanes *restrict l, size_t n)
     target static void turn_##set(murk_photon_lanes *l, size_t n)            \
     {                                                                        \
         turn(l, n);                                                          \
-    }                                                                        \
-    static const murk_lane_steps steps_##set = {                             \
-        #set,          draw_##set, fly_##set, fly_regions_##set,             \
-        collide_##set, turn_##set};
+    }
 
-MURK_COMPILED_FOR(baseline, , words_2, PRODUCT_2)
-
+MURK_COMPILED_FOR(baseline, MURK_TARGET_BASELINE, words_2, PRODUCT_2)
 #if defined(__x86_64__)
-MURK_COMPILED_FOR(avx2, __attribute__((target("avx2"))), words_4, PRODUCT_4)
-MURK_COMPILED_FOR(avx512,
-                  __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw"))),
-                  words_8, PRODUCT_8)
+MURK_COMPILED_FOR(avx2, MURK_TARGET_AVX2, words_4, PRODUCT_4)
+MURK_COMPILED_FOR(avx512, MURK_TARGET_AVX512, words_8, PRODUCT_8)
 #endif
+
+#define STEPS(number, set)                                               \
+    [number] = {number,        draw_##set, fly_##set, fly_regions_##set, \
+                collide_##set, turn_##set}
 
 const murk_lane_steps *murk_lane_steps_chosen(void)
 {
-    const char *name = getenv("MURK_LANES");
-    name = name ? name : "";
-    if (strcmp(name, "off") == 0) {
-        return NULL;
-    }
+    static const murk_lane_steps steps[MURK_LANE_SETS] = {
+        STEPS(MURK_LANES_BASELINE, baseline),
 #if defined(__x86_64__)
-    const bool has_avx512 = __builtin_cpu_supports("avx512f") &&
-                            __builtin_cpu_supports("avx512dq") &&
-                            __builtin_cpu_supports("avx512vl") &&
-                            __builtin_cpu_supports("avx512bw");
-    const bool is_baseline = strcmp(name, "baseline") == 0;
-    if (has_avx512 && !is_baseline && strcmp(name, "avx2") != 0) {
-        return &steps_avx512;
-    }
-    if (__builtin_cpu_supports("avx2") && !is_baseline) {
-        return &steps_avx2;
-    }
+        STEPS(MURK_LANES_AVX2, avx2),
+        STEPS(MURK_LANES_AVX512, avx512),
 #endif
-    return &steps_baseline;
+    };
+    murk_lane_set set;
+    return murk_lane_set_chosen(&set) ? &steps[set] : NULL;
 }

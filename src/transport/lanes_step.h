@@ -4,23 +4,9 @@
 #ifndef MURK_TRANSPORT_LANES_STEP_H
 #define MURK_TRANSPORT_LANES_STEP_H
 
-#include <stddef.h>
-#include <stdint.h>
-
-#include "medium/even_regions.h"
+#include "base/lanes.h"
+#include "medium/lane_regions.h"
 #include "path/sides.h"
-
-/* The number of lanes, and that to which the lanes of a step are rounded up, so
- * that loops fill the registers. With 32 lanes the arrays take 19 kB, less than
- * a cache of 32 kB. Neither number enters a result, because a photon knows
- * nothing of the other lanes. */
-#define MURK_PHOTON_LANES 32
-#define MURK_LANE_GROUP   8
-
-typedef double murk_lane_number[MURK_PHOTON_LANES];
-
-/* Words of 32 bits, each in the space of a number. */
-typedef uint64_t murk_lane_word[MURK_PHOTON_LANES];
 
 /* The rays of the photons and their packets. */
 typedef struct murk_lane_rays {
@@ -28,8 +14,6 @@ typedef struct murk_lane_rays {
     murk_lane_number quanta;
 } murk_lane_rays;
 
-/* Truth values are numbers, 1 or 0, which keeps loops to one size of element.
- */
 typedef struct murk_photon_lanes {
     /* The photon. */
     murk_lane_rays ray;
@@ -51,21 +35,26 @@ typedef struct murk_photon_lanes {
     murk_lane_number extinction_per_m; /* of a single even medium */
     murk_lane_number albedo, g;
 
-    /* Several even regions: the properties of their media in the band of the
-     * photon, the part of the ray inside each of them (from below to; none if
-     * not), the interval between ends of these parts that the flight has
-     * reached, and the region with the collision. */
-    murk_lane_number region_extinction[MURK_EVEN_REGIONS_MAX];
-    murk_lane_number region_albedo[MURK_EVEN_REGIONS_MAX];
-    murk_lane_number region_g[MURK_EVEN_REGIONS_MAX];
-    murk_lane_number span_from[MURK_EVEN_REGIONS_MAX];
-    murk_lane_number span_to[MURK_EVEN_REGIONS_MAX];
+    /* Several regions: the properties of their media in the band of the photon
+     * (at the density 1), the part of the ray inside each of them (from below
+     * to; none if not), the interval between ends of these parts that the
+     * flight has reached, and the region with the collision. */
+    murk_lane_number region_extinction[MURK_LANE_REGIONS_MAX];
+    murk_lane_number region_albedo[MURK_LANE_REGIONS_MAX];
+    murk_lane_number region_g[MURK_LANE_REGIONS_MAX];
+    murk_lane_number span_from[MURK_LANE_REGIONS_MAX];
+    murk_lane_number span_to[MURK_LANE_REGIONS_MAX];
     murk_lane_number piece_from, piece_to, piece_extinction, depth, flies;
     murk_lane_number first_region; /* the last of the regions of the interval
                                     * that replaces those before */
     murk_lane_number is_ahead;     /* some end lies beyond piece_from */
     murk_lane_number left;         /* of the drawn share of the extinction */
     murk_lane_number region, scattering_per_m;
+
+    /* Walks through the grid among the regions, and the extinction of the grid
+     * at the collision. */
+    murk_grid_lanes grid;
+    murk_lane_number grid_extinction;
 
     /* The outcome of a collision. */
     murk_lane_number scatters, cosine, azimuth;
@@ -77,20 +66,21 @@ typedef struct murk_lane_facts {
     int64_t events_max;
     double min_quanta;
     murk_path_sides sides;
-    size_t regions; /* several even regions; 0: flights of another kind */
-    murk_even_region region[MURK_EVEN_REGIONS_MAX];
+    bool has_regions; /* else flights are of another kind */
+    murk_lane_regions regions;
+    const murk_grid_lane_steps *grid; /* NULL: no grid among the regions */
 } murk_lane_facts;
 
 /* The steps of a collision for the first n lanes, n a multiple of
  * MURK_LANE_GROUP. */
 typedef struct murk_lane_steps {
-    const char *name; /* of the instruction set */
+    murk_lane_set set;
     /* Draws the random numbers of the next event. */
     void (*draw)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
                  size_t n);
     /* The free flight in a single even medium. */
     void (*fly)(murk_photon_lanes *lanes, size_t n);
-    /* The free flight in several even regions. */
+    /* The free flight in several regions. */
     void (*fly_regions)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
                         size_t n);
     /* Moves to the collision, splits the packet or decides by roulette, and
@@ -102,11 +92,8 @@ typedef struct murk_lane_steps {
     void (*turn)(murk_photon_lanes *lanes, size_t n);
 } murk_lane_steps;
 
-/* The steps for the fastest vector instruction set of this processor. The
- * environment variable MURK_LANES selects another: `baseline`, `avx2` or
- * `avx512`; with `off` the result is NULL, and photons are traced one by one.
- * All give the same bits. An instruction set that the processor lacks or an
- * unknown name counts as not given. */
+/* The steps for the set of vector instructions that murk_lane_set_chosen()
+ * gives; NULL if photons are traced one by one. */
 const murk_lane_steps *murk_lane_steps_chosen(void);
 
 #endif

@@ -112,7 +112,9 @@ static outcome *traced(const test_setup *setup, run given)
     setenv("MURK_LANES", given.lanes, 1);
     const murk_lane_steps *steps = murk_lane_steps_chosen();
     const bool is_off = strcmp(given.lanes, "off") == 0;
-    CHECK(is_off ? !steps : steps && strcmp(steps->name, given.lanes) == 0);
+    CHECK(is_off ? !steps
+                 : steps && strcmp(murk_lane_set_name(steps->set),
+                                   given.lanes) == 0);
     const murk_walk_setup walk = murk_walk_setup_of(&trace);
     CHECK(murk_photon_lanes_for(&walk) == steps);
     murk_trace_run(&trace, w.ledger);
@@ -162,7 +164,8 @@ static bool is_there(const char *set)
 {
     static bool was_printed;
     setenv("MURK_LANES", set, 1);
-    const bool is = strcmp(murk_lane_steps_chosen()->name, set) == 0;
+    const bool is =
+        strcmp(murk_lane_set_name(murk_lane_steps_chosen()->set), set) == 0;
     unsetenv("MURK_LANES");
     if (!is && !was_printed) {
         fprintf(stderr, "this processor has no %s: not compared\n", set);
@@ -271,6 +274,75 @@ static void test_media(void)
     }
 }
 
+/* A grid of noise with a gap, 0.1 m from voxel to voxel, in the middle of the
+ * domain. */
+static murk_grid *noise(void)
+{
+    enum { NX = 33, NY = 20, NZ = 27 };
+    static float density[NX * NY * NZ];
+    for (size_t i = 0; i < sizeof density / sizeof *density; ++i) {
+        const double u = murk_random(1, MURK_TEST, i, 0, 0).u[0];
+        const bool is_gap = i % NX < 8 && i / NX % NY < 8;
+        density[i] = is_gap ? 0 : (float)(2 * u);
+    }
+    const size_t size[3] = {NX, NY, NZ};
+    const murk_affine to_world =
+        murk_affine_place(murk_vec(0, 0, 10), 0.1, murk_vec(0.5, 0.4, 0.6));
+    murk_grid *grid = NULL;
+    CHECK(
+        !murk_grid_from_samples(&grid, size, density, &to_world, "test", NULL));
+    return grid;
+}
+
+/* A grid alone, in parts, and among other regions. */
+static void test_grids(void)
+{
+    const murk_source lamp[] = {
+        test_point(murk_vec(1, 2, 0.5)),
+        test_beam(murk_vec(2, 2, 0), murk_vec(0, 0, 1))};
+    murk_grid *grid = noise();
+    murk_medium media[] = {test_medium(3, 0.9, 0.6), test_medium(0.4, 0.8, 0),
+                           test_medium(2, 0.95, 0)};
+    media[0].grid = grid;
+    media[2].phase[0] = murk_phase_rayleigh();
+    murk_region smoke = test_everywhere(0);
+    smoke.shape = MURK_REGION_GRID;
+    smoke.to_world = murk_affine_identity();
+    const murk_region in_a_ball = test_ball_region(0, murk_vec(2, 2, 2), 1.2);
+    murk_region among[] = {test_everywhere(1), smoke,
+                           test_ball_region(2, murk_vec(2, 2, 2), 0.5),
+                           test_everywhere(1)};
+    among[2].replaces = true;
+    among[3].shape = MURK_REGION_BELOW;
+    among[3].below_z_m = 1.5;
+    murk_region replaces[] = {test_everywhere(1), smoke};
+    replaces[1].replaces = true;
+    /* Photon by photon: a region that is filled only in part and replaces
+     * others. */
+    murk_region in_part[] = {test_everywhere(1), in_a_ball};
+    in_part[1].replaces = true;
+    const struct {
+        const char *name;
+        const murk_region *region;
+        size_t n;
+    } worlds[] = {{"a grid", &smoke, 1},
+                  {"a grid in a ball", &in_a_ball, 1},
+                  {"a grid among others", among, 4},
+                  {"a grid that replaces", replaces, 2},
+                  {"a grid in part", in_part, 2}};
+    for (size_t i = 0; i < sizeof worlds / sizeof *worlds; ++i) {
+        const test_setup setup = {.domain = domain,
+                                  .lights = lamp,
+                                  .n_lights = 1 + i % 2,
+                                  .media = media,
+                                  .n_media = 3,
+                                  .regions = worlds[i].region,
+                                  .n_regions = worlds[i].n};
+        compare_runs(worlds[i].name, &setup);
+    }
+    murk_grid_destroy(grid);
+}
+
 /* Photons with more contributions to tallies than their lists hold, and photons
  * that are taken back. */
 static void test_long_photons(void)
@@ -312,6 +384,7 @@ static void test_periodic_domain(void)
 int main(void)
 {
     test_media();
+    test_grids();
     test_long_photons();
     test_periodic_domain();
     return check_done();

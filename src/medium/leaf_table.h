@@ -1,0 +1,32 @@
+/* The leaves of a tree (medium/tree.h) by place: a table over the box of active
+ * voxels and one leaf beyond it on each side, so that several rays find their
+ * leaves at once. Only for grids that are mostly dense: the table is left out
+ * if it would have many more entries than there are leaves. For use inside
+ * src/medium only. */
+#ifndef MURK_MEDIUM_LEAF_TABLE_H
+#define MURK_MEDIUM_LEAF_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define MURK_LEAF_EDGE   8
+#define MURK_LEAF_VOXELS 512
+
+typedef struct murk_leaf_table {
+    const float **leaf;  /* [x][y][z]; NULL: no table */
+    int32_t first[3];    /* the lowest voxel of the table */
+    ptrdiff_t stride[3]; /* of the entries along each axis */
+} murk_leaf_table;
+
+/* The entry where a constant node, or nothing, is in place of a leaf. */
+extern const float murk_no_leaf[MURK_LEAF_VOXELS];
+
+struct murk_tree;
+
+/* Makes the table of a tree with n leaves. Without memory for it the result is
+ * no table, and rays are followed one by one. */
+murk_leaf_table murk_leaf_table_made(const struct murk_tree *tree, size_t n);
+void murk_leaf_table_release(murk_leaf_table *table);
+
+#endif
