@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* The number of lanes, and that to which the lanes of a loop are rounded up, so
  * that loops fill the registers. With 32 lanes the arrays of a trace fit into a
@@ -40,6 +41,20 @@ typedef uint64_t murk_lane_word[MURK_LANE_COUNT];
 static inline double murk_truth(bool is_true)
 {
     return is_true ? 1 : 0;
+}
+
+/* a if is_first, else b. In place of `?:` where b is a value in memory: the
+ * compiler makes a masked store of that, which is slow on some processors. */
+static inline double murk_choose(bool is_first, double a, double b)
+{
+    const uint64_t mask = is_first ? UINT64_MAX : 0;
+    uint64_t bits_a, bits_b;
+    double chosen;
+    memcpy(&bits_a, &a, sizeof a);
+    memcpy(&bits_b, &b, sizeof b);
+    bits_a = (bits_a & mask) | (bits_b & ~mask);
+    memcpy(&chosen, &bits_a, sizeof chosen);
+    return chosen;
 }
 
 /* The sets of vector instructions: SSE2 or NEON (the baseline of the compiler),

@@ -55,6 +55,7 @@ MURK_LANE_KERNEL clip(murk_grid_lanes *restrict g, const murk_lane_grid *grid,
     const double has_cells = murk_truth(grid->tree->n_cells > 0);
     MURK_FOR_LANES(n)
     {
+        /* The ray in index space. */
         const murk_vec3 o = murk_affine_point(&map, murk_vec(x[i], y[i], z[i]));
         const murk_vec3 d =
             murk_affine_direction(&map, murk_vec(dx[i], dy[i], dz[i]));
@@ -68,6 +69,7 @@ MURK_LANE_KERNEL clip(murk_grid_lanes *restrict g, const murk_lane_grid *grid,
         g->inverse_x[i] = inverse.x;
         g->inverse_y[i] = inverse.y;
         g->inverse_z[i] = inverse.z;
+        /* The part of it in the box of active voxels. */
         double t0 = from[i], t1 = to[i], fits = has_cells;
         clip_axis(low_x, high_x, o.x, inverse.x, &t0, &t1, &fits);
         clip_axis(low_y, high_y, o.y, inverse.y, &t0, &t1, &fits);
@@ -106,6 +108,7 @@ MURK_LANE_KERNEL begin(murk_grid_lanes *restrict g, const murk_tree *tree,
                  stride_y = (double)table.stride[1];
     MURK_FOR_LANES(n)
     {
+        /* The voxel and its leaf. */
         const double t = g->from[i], given = g->end[i];
         const double end = given < DBL_MAX ? given : DBL_MAX;
         const double x = cell_at(g->x[i] + t * g->dx[i], first_x, last_x);
@@ -115,6 +118,7 @@ MURK_LANE_KERNEL begin(murk_grid_lanes *restrict g, const murk_tree *tree,
         const double leaf_y = floor(y / MURK_LEAF_EDGE) * MURK_LEAF_EDGE;
         const double leaf_z = floor(z / MURK_LEAF_EDGE) * MURK_LEAF_EDGE;
         const double in_x = x - leaf_x, in_y = y - leaf_y, in_z = z - leaf_z;
+        /* The state of the walk there. */
         g->end[i] = end;
         g->starts[i] = murk_truth((g->walks[i] != 0) & (t < end));
         g->leaf_x[i] = leaf_x;
@@ -198,8 +202,9 @@ load_densities(double *density, const float *const *leaf, const int64_t *number,
 
 typedef double numbers_2 __attribute__((vector_size(16)));
 typedef int64_t wholes_2 __attribute__((vector_size(16)));
-#define WALK          walk_group_baseline
-#define TARGET        MURK_TARGET_BASELINE
+#define WALK   walk_group_baseline
+#define TARGET MURK_TARGET_BASELINE
+/* A register has 128 bits, so 2 doubles. */
 #define WIDTH         2
 #define NUMBERS       numbers_2
 #define WHOLES        wholes_2
@@ -211,8 +216,9 @@ typedef int64_t wholes_2 __attribute__((vector_size(16)));
 #if defined(__x86_64__)
 typedef double numbers_4 __attribute__((vector_size(32)));
 typedef int64_t wholes_4 __attribute__((vector_size(32)));
-#define WALK    walk_group_avx2
-#define TARGET  MURK_TARGET_AVX2
+#define WALK   walk_group_avx2
+#define TARGET MURK_TARGET_AVX2
+/* A register has 256 bits, so 4 doubles. */
 #define WIDTH   4
 #define NUMBERS numbers_4
 #define WHOLES  wholes_4
@@ -224,8 +230,9 @@ typedef int64_t wholes_4 __attribute__((vector_size(32)));
 
 typedef double numbers_8 __attribute__((vector_size(64)));
 typedef int64_t wholes_8 __attribute__((vector_size(64)));
-#define WALK          walk_group_avx512
-#define TARGET        MURK_TARGET_AVX512
+#define WALK   walk_group_avx512
+#define TARGET MURK_TARGET_AVX512
+/* A register has 512 bits, so 8 doubles. */
 #define WIDTH         8
 #define NUMBERS       numbers_8
 #define WHOLES        wholes_8

@@ -59,6 +59,7 @@ TARGET static void WALK(murk_grid_lanes *g, const murk_tree *tree, size_t lane)
     LOAD_WHOLE(left_y);
     LOAD_WHOLE(left_z);
     const float *leaf[WIDTH];
+    const WHOLES no_leaf = none + (int64_t)(uintptr_t)murk_no_leaf;
     WHOLES goes = starts != zero, enters = goes, stops = none, alone = none;
     WHOLES by_x = none, by_y = none, by_z = none; /* leaves through a face */
     NUMBERS value = zero, part_from = zero, part_to = zero; /* of the stop */
@@ -90,15 +91,16 @@ TARGET static void WALK(murk_grid_lanes *g, const murk_tree *tree, size_t lane)
             ENTER(z, 2);
             load_leaves(leaf, table, (const int64_t *)&entry, WIDTH);
             /* A ray without a leaf is followed alone. */
-            for (unsigned bits = BITS(enters); bits != 0; bits &= bits - 1) {
+            WHOLES address;
+            memcpy(&address, leaf, sizeof address);
+            const WHOLES lacks = enters & (address == no_leaf);
+            for (unsigned bits = BITS(lacks); bits != 0; bits &= bits - 1) {
                 const size_t k = (size_t)__builtin_ctz(bits);
-                if (leaf[k] == murk_no_leaf) {
-                    const double voxel[3] = {cell_x[k], cell_y[k], cell_z[k]};
-                    g->from[lane + k] = from[k];
-                    g->sum[lane + k] = sum[k];
-                    walk_alone(g, tree, lane + k, voxel);
-                    alone[k] = -1;
-                }
+                const double voxel[3] = {cell_x[k], cell_y[k], cell_z[k]};
+                g->from[lane + k] = from[k];
+                g->sum[lane + k] = sum[k];
+                walk_alone(g, tree, lane + k, voxel);
+                alone[k] = -1;
             }
             goes &= ~alone;
         }

@@ -21,13 +21,13 @@ murk_leaf_table murk_leaf_table_made(const murk_tree *tree, size_t n)
 {
     murk_leaf_table table = {0};
     size_t count[3], entries = 1;
-    const size_t most = ENTRIES_PER_LEAF * n + FEW_ENTRIES;
+    const size_t maximum = ENTRIES_PER_LEAF * n + FEW_ENTRIES;
     for (int axis = 0; axis < 3; ++axis) {
         const int32_t first = leaf_first(tree->first[axis]) - MURK_LEAF_EDGE;
         const int32_t last = leaf_first(tree->last[axis]) + MURK_LEAF_EDGE;
         count[axis] = (size_t)((int64_t)last - first) / MURK_LEAF_EDGE + 1;
         table.first[axis] = first;
-        if (count[axis] > most / entries) {
+        if (count[axis] > maximum / entries) {
             return table;
         }
         entries *= count[axis];

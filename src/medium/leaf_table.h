@@ -10,8 +10,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* A leaf of NanoVDB has 8 voxels along an edge. */
 #define MURK_LEAF_EDGE   8
-#define MURK_LEAF_VOXELS 512
+#define MURK_LEAF_VOXELS 512 /* edge^3 */
 
 typedef struct murk_leaf_table {
     const float **leaf;  /* [x][y][z]; NULL: no table */

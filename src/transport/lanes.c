@@ -108,9 +108,10 @@ static void put_in(lane_batch *b, size_t i)
         set_medium(b, i, &all);
     }
     for (size_t k = 0; k < b->facts.regions.n; ++k) {
-        const murk_collision c =
-            murk_media_even_collision(media, b->facts.regions.region[k].medium,
-                                      w->band, &l->region_extinction[k][i]);
+        const murk_lane_region *region = &b->facts.regions.region[k];
+        const murk_collision c = murk_media_even_collision(
+            media, region->medium, w->band,
+            region->is_grid ? &l->grid.scale[i] : &l->region_extinction[k][i]);
         l->region_albedo[k][i] = c.albedo;
         l->region_g[k][i] =
             c.phase->kind == MURK_PHASE_HG ? c.phase->value[0] : 0;

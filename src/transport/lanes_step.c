@@ -124,39 +124,50 @@ MURK_LANE_KERNEL clip(murk_photon_lanes *restrict l,
     if (region->shape == MURK_LANE_BELOW) {
         MURK_FOR_LANES(n)
         {
-            murk_clip_coordinate(-INFINITY, level_m, ray->z[i], ray->dz[i],
-                                 &from[i], &to[i]);
+            double t0 = 0, t1 = INFINITY;
+            murk_clip_coordinate(-INFINITY, level_m, ray->z[i], ray->dz[i], &t0,
+                                 &t1);
+            from[i] = t0;
+            to[i] = t1;
         }
     } else if (region->shape == MURK_LANE_BOX) {
         MURK_FOR_LANES(n)
         {
             const murk_vec3 o = {ray->x[i], ray->y[i], ray->z[i]};
             const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
-            murk_clip_box(&box, o, d, &from[i], &to[i]);
+            double t0 = 0, t1 = INFINITY;
+            murk_clip_box(&box, o, d, &t0, &t1);
+            from[i] = t0;
+            to[i] = t1;
         }
     } else if (region->shape == MURK_LANE_SPHERE) {
         MURK_FOR_LANES(n)
         {
             const murk_vec3 o = {ray->x[i], ray->y[i], ray->z[i]};
             const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
-            murk_clip_sphere(center, radius_m, o, d, &from[i], &to[i]);
+            double t0 = 0, t1 = INFINITY;
+            murk_clip_sphere(center, radius_m, o, d, &t0, &t1);
+            from[i] = t0;
+            to[i] = t1;
         }
     }
     if (region->is_grid) {
         const double *const of_ray[6] = {ray->x,  ray->y,  ray->z,
                                          ray->dx, ray->dy, ray->dz};
         facts->grid->clip(&l->grid, &facts->regions.grid, of_ray, from, to, n);
+        memset(l->region_extinction[k], 0, sizeof l->region_extinction[k]);
     }
     /* A region that neither replaces others nor has an extinction divides no
      * ray. */
     const double replaces = murk_truth(region->replaces);
+    const double *extinction =
+        region->is_grid ? l->grid.scale : l->region_extinction[k];
     MURK_FOR_LANES(n)
     {
         const bool counts =
-            (from[i] < to[i]) &
-            ((replaces != 0) | (l->region_extinction[k][i] > 0));
-        to[i] = counts ? to[i] : -INFINITY;
-        from[i] = counts ? from[i] : -INFINITY;
+            (from[i] < to[i]) & ((replaces != 0) | (extinction[i] > 0));
+        to[i] = murk_choose(counts, to[i], -INFINITY);
+        from[i] = murk_choose(counts, from[i], -INFINITY);
     }
 }
 
@@ -173,16 +184,16 @@ MURK_LANE_KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions,
     }
     /* The nearest end over all regions. */
     for (size_t k = 0; k < regions; ++k) {
-        const double *restrict from = l->span_from[k], *restrict to =
-                                                           l->span_to[k];
         MURK_FOR_LANES(n)
         {
             const double here = l->piece_from[i];
-            const double ahead = from[i] > here ? from[i] : to[i];
+            const double ahead =
+                murk_choose(l->span_from[k][i] > here, l->span_from[k][i],
+                            l->span_to[k][i]);
             const bool is_ahead = ahead > here;
             const bool is_nearer = is_ahead & (ahead < l->piece_to[i]);
-            l->is_ahead[i] = is_ahead ? 1 : l->is_ahead[i];
-            l->piece_to[i] = is_nearer ? ahead : l->piece_to[i];
+            l->is_ahead[i] = murk_choose(is_ahead, 1, l->is_ahead[i]);
+            l->piece_to[i] = murk_choose(is_nearer, ahead, l->piece_to[i]);
         }
     }
     MURK_FOR_LANES(n)
@@ -191,32 +202,20 @@ MURK_LANE_KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions,
     }
 }
 
-/* The extinction of a region, that of a grid where the lane has collided. */
-static inline const double *extinction_of(const murk_photon_lanes *l,
-                                          const murk_lane_facts *facts,
-                                          size_t k)
-{
-    return facts->regions.region[k].is_grid ? l->grid_extinction
-                                            : l->region_extinction[k];
-}
-
 /* Adds the extinctions of the regions that fill the interval. The extinction of
  * a grid counts as 0 until the lane has collided. */
 MURK_LANE_KERNEL add_extinctions(murk_photon_lanes *restrict l,
                                  const murk_lane_facts *facts, size_t n)
 {
     for (size_t k = 0; k < facts->regions.n; ++k) {
-        const double *restrict from = l->span_from[k], *restrict to =
-                                                           l->span_to[k];
         const double keeps = facts->regions.region[k].replaces ? 0 : 1;
-        const double *restrict extinction = extinction_of(l, facts, k);
         MURK_FOR_LANES(n)
         {
-            const bool is_present =
-                (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]);
+            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
+                                    (l->span_to[k][i] >= l->piece_to[i]);
             const double before = l->piece_extinction[i];
-            const double sum = keeps * before + extinction[i];
-            l->piece_extinction[i] = is_present ? sum : before;
+            const double sum = keeps * before + l->region_extinction[k][i];
+            l->piece_extinction[i] = murk_choose(is_present, sum, before);
         }
     }
 }
@@ -230,15 +229,14 @@ MURK_LANE_KERNEL find_first(murk_photon_lanes *restrict l,
         l->first_region[i] = 0;
     }
     for (size_t k = 0; k < facts->regions.n; ++k) {
-        const double *restrict from = l->span_from[k], *restrict to =
-                                                           l->span_to[k];
         const double replaces = murk_truth(facts->regions.region[k].replaces);
         MURK_FOR_LANES(n)
         {
-            const bool is_present =
-                (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]);
+            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
+                                    (l->span_to[k][i] >= l->piece_to[i]);
             const bool is_first = is_present & (replaces != 0);
-            l->first_region[i] = is_first ? (double)k : l->first_region[i];
+            l->first_region[i] =
+                murk_choose(is_first, (double)k, l->first_region[i]);
         }
     }
 }
@@ -255,26 +253,26 @@ MURK_LANE_KERNEL select_region(murk_photon_lanes *restrict l,
     }
     /* The region at which the sum of extinctions exceeds the drawn share. */
     for (size_t k = 0; k < facts->regions.n; ++k) {
-        const double *restrict from = l->span_from[k], *restrict to =
-                                                           l->span_to[k];
-        const double *restrict extinction = extinction_of(l, facts, k);
-        const double *restrict albedo = l->region_albedo[k];
-        const double *restrict g = l->region_g[k];
         const double number = (double)k;
         MURK_FOR_LANES(n)
         {
-            const bool is_present =
-                (from[i] <= l->piece_from[i]) & (to[i] >= l->piece_to[i]) &
-                (number >= l->first_region[i]) & (extinction[i] > 0);
+            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
+                                    (l->span_to[k][i] >= l->piece_to[i]) &
+                                    (number >= l->first_region[i]) &
+                                    (l->region_extinction[k][i] > 0);
             const bool is_chosen = is_present & (l->left[i] >= 0);
             const double scattering = l->scattering_per_m[i];
             l->scattering_per_m[i] =
-                is_present ? scattering + extinction[i] * albedo[i]
-                           : scattering;
-            l->region[i] = is_chosen ? number : l->region[i];
-            l->albedo[i] = is_chosen ? albedo[i] : l->albedo[i];
-            l->g[i] = is_chosen ? g[i] : l->g[i];
-            l->left[i] = is_chosen ? l->left[i] - extinction[i] : l->left[i];
+                murk_choose(is_present,
+                            scattering + l->region_extinction[k][i] *
+                                             l->region_albedo[k][i],
+                            scattering);
+            l->region[i] = murk_choose(is_chosen, number, l->region[i]);
+            l->albedo[i] =
+                murk_choose(is_chosen, l->region_albedo[k][i], l->albedo[i]);
+            l->g[i] = murk_choose(is_chosen, l->region_g[k][i], l->g[i]);
+            l->left[i] = murk_choose(
+                is_chosen, l->left[i] - l->region_extinction[k][i], l->left[i]);
         }
     }
 }
@@ -289,19 +287,16 @@ MURK_LANE_KERNEL walk_grid(murk_photon_lanes *restrict l,
         if (!facts->regions.region[k].is_grid) {
             continue;
         }
-        const double *restrict from = l->span_from[k], *restrict to =
-                                                           l->span_to[k];
         const double region = (double)k;
         MURK_FOR_LANES(n)
         {
-            const bool is_present = (from[i] <= l->piece_from[i]) &
-                                    (to[i] >= l->piece_to[i]) &
+            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
+                                    (l->span_to[k][i] >= l->piece_to[i]) &
                                     (region >= l->first_region[i]);
             const bool walks = is_present & (l->flies[i] != 0);
             g->walks[i] = murk_truth(walks);
             g->from[i] = l->piece_from[i];
             g->end[i] = l->piece_to[i];
-            g->scale[i] = l->region_extinction[k][i];
             g->offset[i] = l->piece_extinction[i];
             g->limit[i] = l->tau[i];
             g->sum[i] = l->depth[i];
@@ -312,12 +307,14 @@ MURK_LANE_KERNEL walk_grid(murk_photon_lanes *restrict l,
             const bool walks = g->walks[i] != 0;
             const bool stops = walks & (g->stops[i] != 0);
             const double extinction = g->value[i] * g->scale[i];
-            l->depth[i] = walks ? g->sum[i] : l->depth[i];
-            l->meets[i] = stops ? 1 : l->meets[i];
-            l->distance_m[i] = stops ? g->to[i] : l->distance_m[i];
-            l->grid_extinction[i] = stops ? extinction : l->grid_extinction[i];
+            l->depth[i] = murk_choose(walks, g->sum[i], l->depth[i]);
+            l->meets[i] = murk_choose(stops, 1, l->meets[i]);
+            l->distance_m[i] = murk_choose(stops, g->to[i], l->distance_m[i]);
+            l->region_extinction[k][i] =
+                murk_choose(stops, extinction, l->region_extinction[k][i]);
             /* A lane that has walked crosses no even interval. */
-            l->piece_extinction[i] = walks ? 0 : l->piece_extinction[i];
+            l->piece_extinction[i] =
+                murk_choose(walks, 0, l->piece_extinction[i]);
         }
     }
 }
@@ -338,12 +335,12 @@ MURK_LANE_KERNEL cross_even(murk_photon_lanes *restrict l, size_t n)
         const bool is_even = flies & has_extinction & (more >= tau);
         const double distance_m = reached < end ? reached : end;
         const bool meets = is_even | (flies & (l->meets[i] != 0));
-        l->meets[i] = meets ? 1 : l->meets[i];
-        l->distance_m[i] = is_even ? distance_m : l->distance_m[i];
-        l->depth[i] = has_extinction ? more : depth;
+        l->meets[i] = murk_choose(meets, 1, l->meets[i]);
+        l->distance_m[i] = murk_choose(is_even, distance_m, l->distance_m[i]);
+        l->depth[i] = murk_choose(has_extinction, more, depth);
         l->flies[i] = murk_truth(flies & !meets);
         /* A lane that meets keeps the interval of the collision. */
-        l->piece_from[i] = (flies & !meets) ? end : begin;
+        l->piece_from[i] = murk_choose(flies & !meets, end, begin);
     }
 }
 
@@ -361,9 +358,8 @@ MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
         l->depth[i] = 0;
         l->meets[i] = 0;
         l->flies[i] = 1;
-        l->grid_extinction[i] = 0;
     }
-    double flying = 1;
+    uint64_t flying = 1; /* not 0 if some lane flies on */
     for (size_t step = 0; flying != 0 && step <= 2 * facts->regions.n; ++step) {
         find_piece(l, facts->regions.n, n);
         add_extinctions(l, facts, n);
@@ -375,7 +371,9 @@ MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
         flying = 0;
         MURK_FOR_LANES(n)
         {
-            flying = l->flies[i] > flying ? l->flies[i] : flying;
+            uint64_t bits;
+            memcpy(&bits, &l->flies[i], sizeof bits);
+            flying |= bits;
         }
     }
     /* A lane that met keeps piece_from, so find_piece() gave it the same
@@ -412,9 +410,12 @@ MURK_LANE_KERNEL collide(murk_photon_lanes *restrict l,
         const bool meets = (l->meets[i] != 0) & is_inside &
                            ((int64_t)l->number[i] <= events_max);
         l->meets[i] = murk_truth(meets);
-        ray->x[i] = meets ? murk_path_side_hold(x, sides.x) : ray->x[i];
-        ray->y[i] = meets ? murk_path_side_hold(y, sides.y) : ray->y[i];
-        ray->z[i] = meets ? murk_path_side_hold(z, sides.z) : ray->z[i];
+        ray->x[i] =
+            murk_choose(meets, murk_path_side_hold(x, sides.x), ray->x[i]);
+        ray->y[i] =
+            murk_choose(meets, murk_path_side_hold(y, sides.y), ray->y[i]);
+        ray->z[i] =
+            murk_choose(meets, murk_path_side_hold(z, sides.z), ray->z[i]);
     }
     /* Split the packet, or decide by roulette (walk.c, scatter()). */
     MURK_FOR_LANES(n)
@@ -432,8 +433,8 @@ MURK_LANE_KERNEL collide(murk_photon_lanes *restrict l,
         ray->quanta[i] = after;
         l->absorbed[i] += before - after;
         l->scatters[i] = murk_truth(meets & survives);
-        l->azimuth[i] = is_split ? u : u / albedo;
-        l->is_new[i] = meets ? 0 : l->is_new[i];
+        l->azimuth[i] = murk_choose(is_split, u, u / albedo);
+        l->is_new[i] = murk_choose(meets, 0, l->is_new[i]);
         l->cosine[i] = murk_hg_sample(l->g[i], uniform_of(l->word_cosine[i]));
     }
 }
@@ -447,9 +448,9 @@ MURK_LANE_KERNEL turn(murk_photon_lanes *restrict l, size_t n)
         const murk_vec3 d = {ray->dx[i], ray->dy[i], ray->dz[i]};
         const murk_vec3 turned =
             murk_turned_direction(d, l->cosine[i], l->azimuth[i]);
-        ray->dx[i] = scatters ? turned.x : d.x;
-        ray->dy[i] = scatters ? turned.y : d.y;
-        ray->dz[i] = scatters ? turned.z : d.z;
+        ray->dx[i] = murk_choose(scatters, turned.x, d.x);
+        ray->dy[i] = murk_choose(scatters, turned.y, d.y);
+        ray->dz[i] = murk_choose(scatters, turned.z, d.z);
     }
 }
 

@@ -51,10 +51,9 @@ typedef struct murk_photon_lanes {
     murk_lane_number left;         /* of the drawn share of the extinction */
     murk_lane_number region, scattering_per_m;
 
-    /* Walks through the grid among the regions, and the extinction of the grid
-     * at the collision. */
+    /* Walks through the grid among the regions. The extinction of that region
+     * is 0 but at a collision; grid.scale is that of density 1. */
     murk_grid_lanes grid;
-    murk_lane_number grid_extinction;
 
     /* The outcome of a collision. */
     murk_lane_number scatters, cosine, azimuth;

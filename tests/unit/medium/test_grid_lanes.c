@@ -105,6 +105,7 @@ static int compare(const murk_grid_lanes *g, const murk_lane_grid *grid,
         CHECK(g->walks[i] == 0);
         return 0;
     }
+    /* The walk. */
     CHECK(is_equal(from, clipped->from[i]) && is_equal(to, clipped->to[i]));
     murk_march march;
     murk_march_begin(&march, grid->tree, o, d, from, to);
