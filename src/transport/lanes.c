@@ -1,12 +1,13 @@
 /* The bookkeeping of photons side by side (transport/lanes.h).
  *
  * Each lane has a walker and, in the arrays of murk_photon_lanes, the part of
- * the walker that a collision changes. A step draws a collision for all lanes.
- * The lanes whose photon meets something else than a medium, and those whose
- * photon is absorbed, are then treated one by one: the walker finds the event
- * anew from the same random numbers, and a photon that has ended is replaced by
- * the next one of the batch. When no photon is left to begin, the lane that was
- * filled last moves into the gap. */
+ * the walker that a collision changes. A step draws a collision for all lanes
+ * and, with surfaces, looks for the surface before it. The lanes whose photon
+ * meets something else than a medium or a diffuse surface, and those whose
+ * photon is absorbed, are then treated one by one: the walker takes over the
+ * event that the lane has found, or finds it anew from the same random numbers,
+ * and a photon that has ended is replaced by the next one of the batch. When no
+ * photon is left to begin, the lane that was filled last moves into the gap. */
 #include "transport/lanes.h"
 
 #include <assert.h>
@@ -14,6 +15,8 @@
 
 #include "base/interrupt.h"
 #include "base/philox.h"
+#include "transport/lanes_surfaces.h"
+#include "transport/meet.h"
 
 /* With fewer photons than this the walker is faster: a step of 8 lanes takes as
  * long as some 2 or 3 collisions of the walker. */
@@ -39,6 +42,7 @@ typedef struct lane_batch {
     const murk_phase
         *phase[MURK_LANE_COUNT]; /* of the medium of the collision */
     double scattering_per_m[MURK_LANE_COUNT];
+    murk_lane_ahead ahead[MURK_LANE_COUNT]; /* with surfaces */
 } lane_batch;
 
 /* ---- between walker and lane ---- */
@@ -60,12 +64,12 @@ static void take_out(lane_batch *b, size_t i)
 {
     const murk_photon_lanes *l = &b->lanes;
     murk_walker *w = &b->walker[i];
-    w->path.position = w->probe =
-        murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
+    w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
     w->path.direction = murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i]);
     w->quanta = (int64_t)l->ray.quanta[i];
     w->number = (uint32_t)l->number[i];
     if (l->is_new[i] == 0) {
+        w->probe = w->path.position;
         w->event_class = MURK_CLASS_LATER;
         w->wraps = 0;
     }
@@ -104,7 +108,8 @@ static void put_in(lane_batch *b, size_t i)
     b->phase[i] = NULL; /* until the next collision */
     murk_collision all;
     const murk_media *media = b->setup->world->media;
-    if (murk_media_even(media, w->band, &l->extinction_per_m[i], &all)) {
+    if (b->is_even &&
+        murk_media_even(media, w->band, &l->extinction_per_m[i], &all)) {
         set_medium(b, i, &all);
     }
     for (size_t k = 0; k < b->facts.regions.n; ++k) {
@@ -244,15 +249,62 @@ static void watch(lane_batch *b, size_t i)
     }
 }
 
+/* The next events of all lanes, if there are surfaces. */
+static void find_next(lane_batch *b)
+{
+    const double *extinction_per_m =
+        b->is_even ? b->lanes.extinction_per_m : b->lanes.piece_extinction;
+    for (size_t i = 0; i < b->n; ++i) {
+        murk_lane_find(&b->ahead[i], &b->walker[i], &b->lanes, i,
+                       extinction_per_m[i]);
+    }
+}
+
+/* The lanes whose next event is a surface that reflects diffusely or absorbs.
+ */
+static void reflect(lane_batch *b)
+{
+    for (size_t i = 0; i < b->n; ++i) {
+        if (b->ahead[i].next == MURK_LANE_REFLECTS) {
+            murk_lane_reflect(&b->ahead[i], &b->walker[i], &b->lanes, i);
+        }
+    }
+}
+
+/* Lets the walker, which is up to date, treat the event of a lane. */
+static murk_fate walk(const lane_batch *b, size_t i, murk_walker *w)
+{
+    if (b->facts.any_surfaces && b->ahead[i].next == MURK_LANE_MEETS) {
+        return murk_lane_meet(&b->ahead[i], w);
+    }
+    if (!b->facts.any_surfaces && w->number <= b->facts.events_max) {
+        /* No medium and no surface: the side of the domain. */
+        murk_path_event side;
+        return murk_path_first_event(&w->path, w->probe, NULL, &side)
+                   ? murk_meet_side(w, side.distance_m)
+                   : murk_walker_lose(w, MURK_LOSS_NUMERICAL);
+    }
+    /* The walker looks for the event anew. */
+    --w->number;
+    return murk_walk_photon_event(w);
+}
+
 /* Treats what a step has left to the walker of a lane. */
 static void finish(lane_batch *b, size_t i)
 {
     murk_walker *w = &b->walker[i];
     const bool meets = b->lanes.meets[i] != 0;
     const bool scatters = b->lanes.scatters[i] != 0;
+    const bool reflects =
+        b->facts.any_surfaces && b->ahead[i].next == MURK_LANE_REFLECTS;
     b->sums->collisions += meets;
     if (meets && b->is_watched) {
         watch(b, i);
+    }
+    if (reflects && b->is_watched) {
+        murk_lane_reflected(
+            &b->ahead[i], w, &b->lanes, i,
+            murk_vec(b->before.x[i], b->before.y[i], b->before.z[i]));
     }
     /* A photon whose list overflowed owns the scorer's sums and is followed to
      * its end now. */
@@ -261,11 +313,13 @@ static void finish(lane_batch *b, size_t i)
         return;
     }
     take_out(b, i);
-    murk_fate fate = scatters ? MURK_FATE_NONE : MURK_FATE_MEDIA;
-    if (!meets) {
-        /* The event is not a collision: the walker looks for it anew. */
-        --w->number;
-        fate = murk_walk_photon_event(w);
+    murk_fate fate = scatters ? MURK_FATE_NONE
+                     : meets  ? MURK_FATE_MEDIA
+                              : MURK_FATE_SURFACES;
+    if (reflects) {
+        w->absorber = b->ahead[i].ahead.hit.material;
+    } else if (!meets) {
+        fate = walk(b, i, w);
     }
     /* A photon that owns the sums of the scorer must end before any other. */
     if (fate == MURK_FATE_NONE && w->score && w->score->has_sums) {
@@ -275,6 +329,25 @@ static void finish(lane_batch *b, size_t i)
         put_in(b, i);
     } else {
         replace(b, i, fate);
+    }
+}
+
+/* The free flights, and what ends them. */
+static void fly(lane_batch *b, size_t n)
+{
+    murk_photon_lanes *l = &b->lanes;
+    if (b->is_even) {
+        b->steps->fly(l, n);
+    } else if (b->facts.has_regions) {
+        b->steps->fly_regions(l, &b->facts, n);
+    } else if (b->facts.any_media) {
+        fly_each(b);
+    }
+    if (b->facts.any_surfaces) {
+        find_next(b);
+    }
+    if (b->facts.has_regions) {
+        find_media(b);
     }
 }
 
@@ -289,17 +362,17 @@ static void step(lane_batch *b)
         b->before = l->ray;
     }
     b->steps->draw(l, &b->facts, n);
-    if (b->is_even) {
-        b->steps->fly(l, n);
-    } else if (b->facts.has_regions) {
-        b->steps->fly_regions(l, &b->facts, n);
-        find_media(b);
+    fly(b, n);
+    if (b->facts.any_media) {
+        b->steps->collide(l, &b->facts, n);
     } else {
-        fly_each(b);
+        memset(l->scatters, 0, sizeof l->scatters);
     }
-    b->steps->collide(l, &b->facts, n);
     if (b->has_other_phases) {
         sample_other_phases(b);
+    }
+    if (b->facts.any_surfaces) {
+        reflect(b);
     }
     b->steps->turn(l, n);
     /* From the last lane to the first, because a gap is filled with the last
@@ -309,11 +382,23 @@ static void step(lane_batch *b)
     }
 }
 
+/* True if the free flights of all photons are loops over lanes. */
+static bool are_even(const murk_media *media)
+{
+    double extinction_per_m;
+    murk_collision all;
+    murk_lane_regions regions;
+    return murk_media_even(media, 0, &extinction_per_m, &all) ||
+           murk_media_lane_regions(media, &regions);
+}
+
 const murk_lane_steps *murk_photon_lanes_for(const murk_walk_setup *setup)
 {
     const murk_trace *trace = setup->trace;
     const murk_path_space *space = &setup->space;
-    const bool suits = setup->any_media && !space->any_surfaces &&
+    const bool suits = (space->any_surfaces
+                            ? !setup->any_media || are_even(setup->world->media)
+                            : setup->any_media) &&
                        !space->any_boundaries && !trace->by_delta &&
                        !trace->segment_sink &&
                        (!trace->sink || trace->takes_any_order);
@@ -333,17 +418,20 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
     b.batch = batch;
     b.next = first;
     b.last = last;
-    b.facts = (murk_lane_facts){.seed = trace->seed,
-                                .purpose = (uint32_t)MURK_FLIGHT +
-                                           setup->purpose_shift,
-                                .events_max = trace->events_max,
-                                .min_quanta = (double)setup->min_quanta,
-                                .sides = setup->space.sides};
+    b.facts = (murk_lane_facts){
+        .seed = trace->seed,
+        .purpose = (uint32_t)MURK_FLIGHT + setup->purpose_shift,
+        .surface_purpose = (uint32_t)MURK_SURFACE + setup->purpose_shift,
+        .any_media = setup->any_media,
+        .any_surfaces = setup->space.any_surfaces,
+        .events_max = trace->events_max,
+        .min_quanta = (double)setup->min_quanta,
+        .sides = setup->space.sides};
     double extinction_per_m;
     murk_collision all;
-    b.is_even =
-        murk_media_even(setup->world->media, 0, &extinction_per_m, &all);
-    if (!b.is_even) {
+    b.is_even = setup->any_media && murk_media_even(setup->world->media, 0,
+                                                    &extinction_per_m, &all);
+    if (setup->any_media && !b.is_even) {
         murk_lane_regions *regions = &b.facts.regions;
         b.facts.has_regions =
             murk_media_lane_regions(setup->world->media, regions);

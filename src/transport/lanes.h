@@ -1,8 +1,9 @@
 /* Traces the photons of a batch side by side: collisions in media are computed
- * for MURK_LANE_COUNT photons at once (transport/lanes_step.h); every other
- * event of a photon is that of the walker (transport/walk.h). Both compute the
- * same numbers in the same order, so the result is that of the walker to the
- * bit. For use inside src/transport only. */
+ * for MURK_LANE_COUNT photons at once (transport/lanes_step.h), and so are
+ * diffuse reflections (transport/lanes_surfaces.h); every other event of a
+ * photon is that of the walker (transport/walk.h). Both compute the same
+ * numbers in the same order, so the result is that of the walker to the bit.
+ * For use inside src/transport only. */
 #ifndef MURK_TRANSPORT_LANES_H
 #define MURK_TRANSPORT_LANES_H
 
@@ -10,8 +11,9 @@
 #include "transport/walk.h"
 
 /* The steps for the photons of a trace; NULL if they are traced one by one: in
- * clear air, with surfaces or boundaries of regions, by delta tracking, for a
- * sink that needs the order of the photons, or if lanes are switched off. */
+ * clear air without surfaces, with surfaces beside grids or profiles, with
+ * boundaries of regions, by delta tracking, for a sink that needs the order of
+ * the photons, or if lanes are switched off. */
 const murk_lane_steps *murk_photon_lanes_for(const murk_walk_setup *setup);
 
 /* Traces the photons [first, last) of a batch, as murk_walk_photon() does one

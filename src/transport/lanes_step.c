@@ -35,44 +35,44 @@ static inline double uniform_of(uint64_t word)
  * element of 64 bits holds a word in the lower half and anything in the upper
  * half; `product` multiplies the lower halves. A compiler that is given the
  * plain loop spends most of the time on moving words between vectors. */
-#define MURK_WORDS_FOR(set, target, vector, product)                       \
-    target static void words_##set(murk_photon_lanes *l,                   \
-                                   const murk_lane_facts *facts, size_t n) \
-    {                                                                      \
-        const vector zero = {0};                                           \
-        const vector factor_a = zero + MURK_PHILOX_FACTOR_A;               \
-        const vector factor_c = zero + MURK_PHILOX_FACTOR_C;               \
-        const vector low = zero + UINT32_MAX;                              \
-        for (size_t i = 0; i < n; i += sizeof zero / sizeof zero[0]) {     \
-            /* The counter: photon, event, slot 0. */                      \
-            vector a, b, c, d = zero;                                      \
-            memcpy(&a, &l->photon_low[i], sizeof a);                       \
-            memcpy(&b, &l->photon_high[i], sizeof b);                      \
-            memcpy(&c, &l->number[i], sizeof c);                           \
-            c += 1;                                                        \
-            memcpy(&l->number[i], &c, sizeof c);                           \
-            /* The rounds. */                                              \
-            uint32_t key_a = facts->seed, key_c = facts->purpose;          \
-            for (int round = 0; round < MURK_PHILOX_ROUNDS; ++round) {     \
-                const vector from_a = product(a, factor_a);                \
-                const vector from_c = product(c, factor_c);                \
-                a = from_c >> 32 ^ b ^ (zero + key_a);                     \
-                c = from_a >> 32 ^ d ^ (zero + key_c);                     \
-                b = from_c;                                                \
-                d = from_a;                                                \
-                key_a += MURK_PHILOX_KEY_A;                                \
-                key_c += MURK_PHILOX_KEY_C;                                \
-            }                                                              \
-            /* Without the upper halves. */                                \
-            a &= low;                                                      \
-            b &= low;                                                      \
-            c &= low;                                                      \
-            d &= low;                                                      \
-            memcpy(&l->word_depth[i], &a, sizeof a);                       \
-            memcpy(&l->word_medium[i], &b, sizeof b);                      \
-            memcpy(&l->word_roulette[i], &c, sizeof c);                    \
-            memcpy(&l->word_cosine[i], &d, sizeof d);                      \
-        }                                                                  \
+#define MURK_WORDS_FOR(set, target, vector, product)                          \
+    target static void words_##set(const murk_photon_lanes *l, uint32_t seed, \
+                                   uint32_t purpose, uint64_t *to_a,          \
+                                   uint64_t *to_b, uint64_t *to_c,            \
+                                   uint64_t *to_d, size_t n)                  \
+    {                                                                         \
+        const vector zero = {0};                                              \
+        const vector factor_a = zero + MURK_PHILOX_FACTOR_A;                  \
+        const vector factor_c = zero + MURK_PHILOX_FACTOR_C;                  \
+        const vector low = zero + UINT32_MAX;                                 \
+        for (size_t i = 0; i < n; i += sizeof zero / sizeof zero[0]) {        \
+            /* The counter: photon, event, slot 0. */                         \
+            vector a, b, c, d = zero;                                         \
+            memcpy(&a, &l->photon_low[i], sizeof a);                          \
+            memcpy(&b, &l->photon_high[i], sizeof b);                         \
+            memcpy(&c, &l->number[i], sizeof c);                              \
+            /* The rounds. */                                                 \
+            uint32_t key_a = seed, key_c = purpose;                           \
+            for (int round = 0; round < MURK_PHILOX_ROUNDS; ++round) {        \
+                const vector from_a = product(a, factor_a);                   \
+                const vector from_c = product(c, factor_c);                   \
+                a = from_c >> 32 ^ b ^ (zero + key_a);                        \
+                c = from_a >> 32 ^ d ^ (zero + key_c);                        \
+                b = from_c;                                                   \
+                d = from_a;                                                   \
+                key_a += MURK_PHILOX_KEY_A;                                   \
+                key_c += MURK_PHILOX_KEY_C;                                   \
+            }                                                                 \
+            /* Without the upper halves. */                                   \
+            a &= low;                                                         \
+            b &= low;                                                         \
+            c &= low;                                                         \
+            d &= low;                                                         \
+            memcpy(to_a + i, &a, sizeof a);                                   \
+            memcpy(to_b + i, &b, sizeof b);                                   \
+            memcpy(to_c + i, &c, sizeof c);                                   \
+            memcpy(to_d + i, &d, sizeof d);                                   \
+        }                                                                     \
     }
 
 /* Vectors of 2, 4 and 8 elements, and the products of the lower halves. */
@@ -86,6 +86,15 @@ typedef uint64_t words_8 __attribute__((vector_size(64)));
 #else
 #define PRODUCT_2(a, b) (((a)&UINT32_MAX) * (b))
 #endif
+
+/* The number of the next event. */
+MURK_LANE_KERNEL count(murk_photon_lanes *restrict l, size_t n)
+{
+    MURK_FOR_LANES(n)
+    {
+        l->number[i] += 1;
+    }
+}
 
 MURK_LANE_KERNEL draw_depth(murk_photon_lanes *restrict l, size_t n)
 {
@@ -455,31 +464,40 @@ MURK_LANE_KERNEL turn(murk_photon_lanes *restrict l, size_t n)
 }
 
 /* One function of each kernel for an instruction set. */
-#define MURK_COMPILED_FOR(set, target, vector, product)                      \
-    MURK_WORDS_FOR(set, target, vector, product)                             \
-    target static void draw_##set(murk_photon_lanes *l,                      \
-                                  const murk_lane_facts *facts, size_t n)    \
-    {                                                                        \
-        words_##set(l, facts, n);                                            \
-        draw_depth(l, n);                                                    \
-    }                                                                        \
-    target static void fly_##set(murk_photon_lanes *l, size_t n)             \
-    {                                                                        \
-        fly(l, n);                                                           \
-    }                                                                        \
-    target static void fly_regions_##set(                                    \
-        murk_photon_lanes *l, const murk_lane_facts *facts, size_t n)        \
-    {                                                                        \
-        fly_regions(l, facts, n);                                            \
-    }                                                                        \
-    target static void collide_##set(murk_photon_lanes *l,                   \
-                                     const murk_lane_facts *facts, size_t n) \
-    {                                                                        \
-        collide(l, facts, n);                                                \
-    }                                                                        \
-    target static void turn_##set(murk_photon_lanes *l, size_t n)            \
-    {                                                                        \
-        turn(l, n);                                                          \
+#define MURK_COMPILED_FOR(set, target, vector, product)                       \
+    MURK_WORDS_FOR(set, target, vector, product)                              \
+    target static void draw_##set(murk_photon_lanes *l,                       \
+                                  const murk_lane_facts *facts, size_t n)     \
+    {                                                                         \
+        count(l, n);                                                          \
+        if (facts->any_media) {                                               \
+            words_##set(l, facts->seed, facts->purpose, l->word_depth,        \
+                        l->word_medium, l->word_roulette, l->word_cosine, n); \
+            draw_depth(l, n);                                                 \
+        }                                                                     \
+        if (facts->any_surfaces) {                                            \
+            words_##set(l, facts->seed, facts->surface_purpose,               \
+                        l->surface_word[0], l->surface_word[1],               \
+                        l->surface_word[2], l->surface_word[3], n);           \
+        }                                                                     \
+    }                                                                         \
+    target static void fly_##set(murk_photon_lanes *l, size_t n)              \
+    {                                                                         \
+        fly(l, n);                                                            \
+    }                                                                         \
+    target static void fly_regions_##set(                                     \
+        murk_photon_lanes *l, const murk_lane_facts *facts, size_t n)         \
+    {                                                                         \
+        fly_regions(l, facts, n);                                             \
+    }                                                                         \
+    target static void collide_##set(murk_photon_lanes *l,                    \
+                                     const murk_lane_facts *facts, size_t n)  \
+    {                                                                         \
+        collide(l, facts, n);                                                 \
+    }                                                                         \
+    target static void turn_##set(murk_photon_lanes *l, size_t n)             \
+    {                                                                         \
+        turn(l, n);                                                           \
     }
 
 MURK_COMPILED_FOR(baseline, MURK_TARGET_BASELINE, words_2, PRODUCT_2)

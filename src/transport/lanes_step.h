@@ -28,6 +28,7 @@ typedef struct murk_photon_lanes {
      * the collision. */
     murk_lane_word word_depth, word_medium, word_roulette, word_cosine;
     murk_lane_number tau;
+    murk_lane_word surface_word[4]; /* for an event at a surface */
 
     /* The free flight: if it ends in a medium (meets), the length and the
      * properties of the medium. */
@@ -61,7 +62,9 @@ typedef struct murk_photon_lanes {
 
 /* The facts that all lanes share. */
 typedef struct murk_lane_facts {
-    uint32_t seed, purpose; /* of the random numbers of a flight */
+    uint32_t seed, purpose;   /* of the random numbers of a flight */
+    uint32_t surface_purpose; /* of those of an event at a surface */
+    bool any_media, any_surfaces;
     int64_t events_max;
     double min_quanta;
     murk_path_sides sides;
@@ -74,7 +77,8 @@ typedef struct murk_lane_facts {
  * MURK_LANE_GROUP. */
 typedef struct murk_lane_steps {
     murk_lane_set set;
-    /* Draws the random numbers of the next event. */
+    /* Draws the random numbers of the next event, for media and surfaces if
+     * there are any. */
     void (*draw)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
                  size_t n);
     /* The free flight in a single even medium. */
@@ -87,7 +91,7 @@ typedef struct murk_lane_steps {
      * does not meet: it is the walker's. */
     void (*collide)(murk_photon_lanes *lanes, const murk_lane_facts *facts,
                     size_t n);
-    /* Turns the direction. */
+    /* Turns the direction of each lane that scatters. */
     void (*turn)(murk_photon_lanes *lanes, size_t n);
 } murk_lane_steps;
 

@@ -6,7 +6,6 @@
 #include "transport/meet.h"
 
 #include "medium/interfaces.h"
-#include "transport/bounce.h"
 #include "transport/facets.h"
 #include "transport/turn.h"
 
@@ -90,6 +89,24 @@ murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead)
     return MURK_FATE_NONE;
 }
 
+void murk_meet_tell_surface(murk_walker *w, const murk_hit *hit, double path_m,
+                            int64_t before, const murk_bounce *bounce)
+{
+    const murk_material *material =
+        murk_surfaces_material(w->setup->world->surfaces, hit->material);
+    murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
+    event.outcome = bounce->outcome;
+    event.material_or_medium = hit->material;
+    event.direction_out = bounce->direction;
+    event.normal = hit->normal;
+    event.weight = murk_packet_share(before);
+    event.leaving =
+        bounce->outcome == MURK_ABSORBED ? 0 : murk_packet_share(w->quanta);
+    event.reflectance = material->diffuse.band[w->band];
+    event.path_m = path_m;
+    murk_walker_tell(w, &event);
+}
+
 murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                             murk_inside crossed)
 {
@@ -134,17 +151,7 @@ murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
         murk_surface_bounce(material, w->band, n_from, n_to, w->path.direction,
                             hit->normal, random.u);
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
-        event.outcome = b.outcome;
-        event.material_or_medium = hit->material;
-        event.direction_out = b.direction;
-        event.normal = hit->normal;
-        event.weight = murk_packet_share(before);
-        event.leaving =
-            b.outcome == MURK_ABSORBED ? 0 : murk_packet_share(w->quanta);
-        event.reflectance = material->diffuse.band[w->band];
-        event.path_m = path_m;
-        murk_walker_tell(w, &event);
+        murk_meet_tell_surface(w, hit, path_m, before, &b);
     }
     if (b.outcome == MURK_ABSORBED) {
         return MURK_FATE_SURFACES;

@@ -7,6 +7,7 @@
 #ifndef MURK_TRANSPORT_MEET_H
 #define MURK_TRANSPORT_MEET_H
 
+#include "transport/bounce.h"
 #include "transport/walker.h"
 
 /* Reflects the photon at the boundary or refracts it. A boundary at which the
@@ -19,6 +20,11 @@ murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead);
  * that lies in this surface. */
 murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                             murk_inside crossed);
+
+/* Reports the event at a surface, at the walker's position. `before`: quanta of
+ * the packet that arrives; path_m as above. */
+void murk_meet_tell_surface(murk_walker *w, const murk_hit *hit, double path_m,
+                            int64_t before, const murk_bounce *bounce);
 
 /* Called after murk_meet_surface() if the surface transmitted the photon and a
  * face of a boundary mesh lies in the surface. If the surface bounds a solid,

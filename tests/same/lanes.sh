@@ -2,7 +2,8 @@
 # Every result file is the same for photons traced one by one and side by side
 # with each instruction set (MURK_LANES, src/transport/lanes_step.h), but for the
 # object "run", which stands last in each JSON: with a number of stored photons,
-# so that a batch is cut, in two bands, through even media and a grid of smoke.
+# so that a batch is cut, in two bands, through even media, a grid of smoke, and
+# a room of surfaces in mist and in clear air.
 # usage: lanes.sh MURK SMOKE.vdb
 set -eu
 murk=$1
@@ -36,8 +37,37 @@ lights:
   - {type: point, position_m: [0, 0, 3], power_w: 1}
 photons: {emit: 5000, maps: volume}
 END
+for room in misty clear; do
+    extinction=0.4
+    [ $room = misty ] || extinction=0
+    cat >"$dir/$room.yaml" <<END
+murk: 1
+bands_nm: [450, 650]
+domain: {min_m: [-1, -1, 0], max_m: [7, 7, 3], sides: open}
+materials:
+  paint: {diffuse: [0.7, 0.4]}
+  varnish: {diffuse: 0.4, specular: 0.3}
+  glass: {transmit: 1, ior: 1.5}
+geometry:
+  - {rect: {corner_m: [0, 0, 0], edge1_m: [6, 0, 0], edge2_m: [0, 6, 0]}, material: paint}
+  - {rect: {corner_m: [0, 0, 3], edge1_m: [6, 0, 0], edge2_m: [0, 6, 0]}, material: paint}
+  - {rect: {corner_m: [0, 0, 0], edge1_m: [6, 0, 0], edge2_m: [0, 0, 3]}, material: varnish}
+  - {rect: {corner_m: [0, 6, 0], edge1_m: [6, 0, 0], edge2_m: [0, 0, 3]}, material: paint}
+  - {sphere: {center_m: [3, 3, 1], radius_m: 0.5}, material: glass}
+media:
+  mist: {extinction_per_m: $extinction, albedo: [0.9, 0.8], phase: {hg: 0.5}}
+regions:
+  - {medium: mist, box: {min_m: [0, 0, 0], max_m: [6, 6, 3]}}
+lights:
+  - {type: point, position_m: [2, 2, 3], power_w: [1, 2]}
+  - {type: directional, direction: [1, 0.2, -0.5], irradiance_w_per_m2: 1}
+photons: {store: 20000, maps: both, least_weight: 0.3}
+tallies:
+  - {name: light, type: grid, min_m: [0, 0, 0], max_m: [6, 6, 3], size: [12, 10, 8]}
+END
+done
 compared=0
-for scene in even smoke; do
+for scene in even smoke misty clear; do
     for lanes in off baseline avx2 avx512; do
         MURK_LANES=$lanes "$murk" trace "$dir/$scene.yaml" --threads 2 --quiet \
             -o "$dir/$scene-$lanes"
@@ -56,7 +86,7 @@ for scene in even smoke; do
         done
     done
 done
-[ "$compared" -ge 21 ] || { echo "only $compared comparisons"; exit 1; }
+[ "$compared" -ge 42 ] || { echo "only $compared comparisons"; exit 1; }
 # The files hold something: another seed gives other light.
 "$murk" trace "$dir/even.yaml" --threads 2 --quiet -o "$dir/other" --seed 5
 for name in light.murk light.vdb; do
