@@ -54,7 +54,8 @@ typedef struct rays {
 } rays;
 
 /* Rays from in and around the grid; every fourth of them along an axis, through
- * a corner of voxels or not. */
+ * a corner of voxels or not; every fourth near the edges of voxels, where faces
+ * across several axes are reached at the same time but for rounding. */
 static void draw(rays *r, uint64_t round)
 {
     for (size_t i = 0; i < MURK_LANE_COUNT; ++i) {
@@ -70,6 +71,12 @@ static void draw(rays *r, uint64_t round)
             d[axis] = sign;
             for (size_t k = 0; k < 3 && n % 8 == 0; ++k) {
                 p[k] = floor(p[k]) + 0.5; /* on faces of voxels */
+            }
+        }
+        if (n % 4 == 1) {
+            for (size_t k = 0; k < 3; ++k) {
+                d[k] = d[k] < 0 ? -1 : 1;
+                p[k] = floor(p[k]) + 0.1;
             }
         }
         const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
