@@ -1,6 +1,5 @@
 /* Sightlines: whether anything blocks the segment between two points, one by
- * one or many to one point, and how much the thin sheets along the segment
- * transmit.
+ * one or many to one point.
  *
  * Embree is asked one ray at a time, since its wide occlusion queries change a
  * few grazing answers with the other rays of a packet. Many sightlines to one
@@ -262,38 +261,4 @@ void murk_surfaces_blocked_many(const murk_surfaces *s, const murk_vec3 *from,
             cache_occluder(&cache, s, &line);
         }
     }
-}
-
-double murk_surfaces_sheet_transmittance(const murk_surfaces *s, murk_vec3 from,
-                                         murk_vec3 to, int band)
-{
-    const murk_soup *soup = &s->soup;
-    if (soup->first_triangle[MURK_FACE_SHEET] == soup->triangles &&
-        soup->first_sphere[MURK_FACE_SHEET] == soup->spheres) {
-        return 1;
-    }
-    const murk_vec3 along = murk_sub(to, from);
-    const double length = murk_length(along);
-    const murk_vec3 direction = murk_scale(1 / length, along);
-    murk_walk w;
-    if (!murk_walk_begin(&w, s, from, direction, length,
-                         MURK_MASK(MURK_FACE_SHEET))) {
-        return 1;
-    }
-    /* A ray through the common edge of two triangles of one pane hits both.
-     * Hits closer together than surfaces can be told apart are therefore
-     * one. */
-    double transmittance = 1, last = s->leave_m;
-    while (transmittance > 0 && murk_walk_next(&w)) {
-        const murk_primitive p = murk_primitive_of(soup, &w.ray.hit);
-        murk_vec3 normal;
-        const double distance = murk_walk_locate(&w, p, &normal);
-        if (distance > last && distance < length - s->leave_m) {
-            const uint8_t material =
-                murk_soup_material(soup, murk_primitive_number(soup, p));
-            transmittance *= s->material[material].transmit.band[band];
-            last = distance + s->leave_m;
-        }
-    }
-    return transmittance;
 }

@@ -21,6 +21,25 @@
  * surfaces closer to each other than this are not told apart. */
 #define MURK_LEAVE_UNITS 8
 
+/* Planes with thin sheets, at most (a choice: a hall has a plane for each side,
+ * the roof and some partitions, and a test of all takes less time than a ray).
+ */
+#define MURK_SHEET_PLANES_MAX 16
+
+/* The planes that contain the thin sheets of a scene, relative to the anchor: a
+ * point p lies in plane k if (x, y, z) . p + offset is 0. */
+typedef struct murk_sheet_planes {
+    bool are_all; /* every sheet lies in one of the planes; false if there are
+                     too many planes, or curved sheets */
+    size_t n;
+    double x[MURK_SHEET_PLANES_MAX], y[MURK_SHEET_PLANES_MAX],
+        z[MURK_SHEET_PLANES_MAX], offset[MURK_SHEET_PLANES_MAX];
+    murk_box box[MURK_SHEET_PLANES_MAX]; /* of the sheets in each plane */
+} murk_sheet_planes;
+
+/* unit_m: a float step. */
+murk_sheet_planes murk_sheet_planes_of(const murk_soup *soup, double unit_m);
+
 struct murk_surfaces {
     murk_soup soup;
     murk_material *material;
@@ -29,6 +48,7 @@ struct murk_surfaces {
     double area_m2;
     double unit_m, leave_m;
     murk_box reach; /* the bounding box of the soup, enlarged by leave_m */
+    murk_sheet_planes sheet_planes;
     RTCDevice device;
     RTCScene scene; /* NULL if the scene is empty */
     size_t embree_bytes;
