@@ -154,8 +154,11 @@ static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
     for (int i = 0; i < 3; ++i) {
         const murk_vec3 side =
             murk_unit(murk_cross(corner[i], corner[(i + 1) % 3]));
-        s->normal[i] = side; /* not finite if the eye is on the line of the
-                              * edge: then no point is inside the shadow */
+        /* Not finite if the eye is on the line of the edge. */
+        if (!murk_is_finite(side)) {
+            return false;
+        }
+        s->normal[i] = side;
         s->offset[i] = -murk_dot(side, eye) - side_margin;
     }
     return true;
@@ -175,28 +178,37 @@ typedef struct occlusion_cache {
                              cost little */
 } occlusion_cache;
 
-/* True if the point is inside one of the cached shadows. All planes are
- * computed, because a branch after each plane is hard to predict and costs more
- * than the planes that it saves. */
-static inline bool is_occluded_by_cached(const occlusion_cache *cache,
-                                         murk_vec3 p)
+/* The height of a point above plane i of shadow k. */
+static INTO_COPIES double height_above(const occlusion_cache *cache, int i,
+                                       int k, murk_vec3 p)
 {
-    int64_t inside[SHADOWS];
+    return cache->x[i][k] * p.x + cache->y[i][k] * p.y + cache->z[i][k] * p.z +
+           cache->offset[i][k];
+}
+
+/* True if the point is inside one of the cached shadows: for one of them the
+ * lowest of the four heights is positive. All planes are computed, because a
+ * branch after each plane is hard to predict and costs more than the planes
+ * that it saves. */
+static INTO_COPIES bool is_occluded_by_cached(const occlusion_cache *cache,
+                                              murk_vec3 p)
+{
+    double lowest[SHADOWS];
     for (int k = 0; k < SHADOWS; ++k) {
-        inside[k] = -1;
+        lowest[k] = height_above(cache, 0, k, p);
     }
-    for (int i = 0; i < 4; ++i) {
+#pragma GCC unroll 4
+    for (int i = 1; i < 4; ++i) {
         for (int k = 0; k < SHADOWS; ++k) {
-            const double height = cache->x[i][k] * p.x + cache->y[i][k] * p.y +
-                                  cache->z[i][k] * p.z;
-            inside[k] &= height + cache->offset[i][k] > 0 ? -1 : 0;
+            const double of_plane = height_above(cache, i, k, p);
+            lowest[k] = of_plane < lowest[k] ? of_plane : lowest[k];
         }
     }
-    int64_t any = 0;
-    for (int k = 0; k < SHADOWS; ++k) {
-        any |= inside[k];
+    double highest = lowest[0];
+    for (int k = 1; k < SHADOWS; ++k) {
+        highest = lowest[k] > highest ? lowest[k] : highest;
     }
-    return any != 0;
+    return highest > 0;
 }
 
 /* Adds the shadow of the reported occluder to the cache. */
