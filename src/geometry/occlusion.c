@@ -1,6 +1,5 @@
 /* Sightlines: whether anything blocks the segment between two points, one by
- * one or many to one point, and how much the thin sheets along the segment
- * transmit.
+ * one or many to one point.
  *
  * Embree is asked one ray at a time, since its wide occlusion queries change a
  * few grazing answers with the other rays of a packet. Many sightlines to one
@@ -155,8 +154,11 @@ static bool make_shadow(shadow *s, const murk_triangle *triangle, murk_vec3 eye,
     for (int i = 0; i < 3; ++i) {
         const murk_vec3 side =
             murk_unit(murk_cross(corner[i], corner[(i + 1) % 3]));
-        s->normal[i] = side; /* not finite if the eye is on the line of the
-                              * edge: then no point is inside the shadow */
+        /* Not finite if the eye is on the line of the edge. */
+        if (!murk_is_finite(side)) {
+            return false;
+        }
+        s->normal[i] = side;
         s->offset[i] = -murk_dot(side, eye) - side_margin;
     }
     return true;
@@ -176,28 +178,37 @@ typedef struct occlusion_cache {
                              cost little */
 } occlusion_cache;
 
-/* True if the point is inside one of the cached shadows. All planes are
- * computed, because a branch after each plane is hard to predict and costs more
- * than the planes that it saves. */
-static inline bool is_occluded_by_cached(const occlusion_cache *cache,
-                                         murk_vec3 p)
+/* The height of a point above plane i of shadow k. */
+static INTO_COPIES double height_above(const occlusion_cache *cache, int i,
+                                       int k, murk_vec3 p)
 {
-    int64_t inside[SHADOWS];
+    return cache->x[i][k] * p.x + cache->y[i][k] * p.y + cache->z[i][k] * p.z +
+           cache->offset[i][k];
+}
+
+/* True if the point is inside one of the cached shadows: for one of them the
+ * lowest of the four heights is positive. All planes are computed, because a
+ * branch after each plane is hard to predict and costs more than the planes
+ * that it saves. */
+static INTO_COPIES bool is_occluded_by_cached(const occlusion_cache *cache,
+                                              murk_vec3 p)
+{
+    double lowest[SHADOWS];
     for (int k = 0; k < SHADOWS; ++k) {
-        inside[k] = -1;
+        lowest[k] = height_above(cache, 0, k, p);
     }
-    for (int i = 0; i < 4; ++i) {
+#pragma GCC unroll 4
+    for (int i = 1; i < 4; ++i) {
         for (int k = 0; k < SHADOWS; ++k) {
-            const double height = cache->x[i][k] * p.x + cache->y[i][k] * p.y +
-                                  cache->z[i][k] * p.z;
-            inside[k] &= height + cache->offset[i][k] > 0 ? -1 : 0;
+            const double of_plane = height_above(cache, i, k, p);
+            lowest[k] = of_plane < lowest[k] ? of_plane : lowest[k];
         }
     }
-    int64_t any = 0;
-    for (int k = 0; k < SHADOWS; ++k) {
-        any |= inside[k];
+    double highest = lowest[0];
+    for (int k = 1; k < SHADOWS; ++k) {
+        highest = lowest[k] > highest ? lowest[k] : highest;
     }
-    return any != 0;
+    return highest > 0;
 }
 
 /* Adds the shadow of the reported occluder to the cache. */
@@ -262,38 +273,4 @@ void murk_surfaces_blocked_many(const murk_surfaces *s, const murk_vec3 *from,
             cache_occluder(&cache, s, &line);
         }
     }
-}
-
-double murk_surfaces_sheet_transmittance(const murk_surfaces *s, murk_vec3 from,
-                                         murk_vec3 to, int band)
-{
-    const murk_soup *soup = &s->soup;
-    if (soup->first_triangle[MURK_FACE_SHEET] == soup->triangles &&
-        soup->first_sphere[MURK_FACE_SHEET] == soup->spheres) {
-        return 1;
-    }
-    const murk_vec3 along = murk_sub(to, from);
-    const double length = murk_length(along);
-    const murk_vec3 direction = murk_scale(1 / length, along);
-    murk_walk w;
-    if (!murk_walk_begin(&w, s, from, direction, length,
-                         MURK_MASK(MURK_FACE_SHEET))) {
-        return 1;
-    }
-    /* A ray through the common edge of two triangles of one pane hits both.
-     * Hits closer together than surfaces can be told apart are therefore
-     * one. */
-    double transmittance = 1, last = s->leave_m;
-    while (transmittance > 0 && murk_walk_next(&w)) {
-        const murk_primitive p = murk_primitive_of(soup, &w.ray.hit);
-        murk_vec3 normal;
-        const double distance = murk_walk_locate(&w, p, &normal);
-        if (distance > last && distance < length - s->leave_m) {
-            const uint8_t material =
-                murk_soup_material(soup, murk_primitive_number(soup, p));
-            transmittance *= s->material[material].transmit.band[band];
-            last = distance + s->leave_m;
-        }
-    }
-    return transmittance;
 }

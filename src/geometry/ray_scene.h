@@ -16,10 +16,31 @@
 #include "geometry/soup.h"
 #include "geometry/surfaces.h"
 
+#include <string.h>
+
 /* Distance by which a ray's start is moved off a surface. 8 units are 1e-6
  * of the largest coordinate and exceed the sum of the errors above. Cost:
  * surfaces closer to each other than this are not told apart. */
 #define MURK_LEAVE_UNITS 8
+
+/* Planes with thin sheets, at most (a choice: a hall has a plane for each side,
+ * the roof and some partitions, and a test of all takes less time than a ray).
+ */
+#define MURK_SHEET_PLANES_MAX 16
+
+/* The planes that contain the thin sheets of a scene, relative to the anchor: a
+ * point p lies in plane k if (x, y, z) . p + offset is 0. */
+typedef struct murk_sheet_planes {
+    bool are_all; /* every sheet lies in one of the planes; false if there are
+                     too many planes, or curved sheets */
+    size_t n;
+    double x[MURK_SHEET_PLANES_MAX], y[MURK_SHEET_PLANES_MAX],
+        z[MURK_SHEET_PLANES_MAX], offset[MURK_SHEET_PLANES_MAX];
+    murk_box box[MURK_SHEET_PLANES_MAX]; /* of the sheets in each plane */
+} murk_sheet_planes;
+
+/* unit_m: a float step. */
+murk_sheet_planes murk_sheet_planes_of(const murk_soup *soup, double unit_m);
 
 struct murk_surfaces {
     murk_soup soup;
@@ -29,6 +50,7 @@ struct murk_surfaces {
     double area_m2;
     double unit_m, leave_m;
     murk_box reach; /* the bounding box of the soup, enlarged by leave_m */
+    murk_sheet_planes sheet_planes;
     RTCDevice device;
     RTCScene scene; /* NULL if the scene is empty */
     size_t embree_bytes;
@@ -93,17 +115,25 @@ static inline bool murk_ray_is_sound(murk_vec3 origin, murk_vec3 direction)
     return murk_dot(direction, direction) > 0;
 }
 
+/* Four floats that are written together, because Embree reads them together: a
+ * processor forwards one store to one load at once, several stores only when
+ * all are in the cache. */
+typedef float murk_four_floats __attribute__((vector_size(16)));
+
+/* Writes the ray; its id and flags are 0. */
 static inline void murk_ray_set(struct RTCRay *ray, murk_vec3 origin,
                                 murk_vec3 direction, float tfar, unsigned mask)
 {
-    ray->org_x = (float)origin.x;
-    ray->org_y = (float)origin.y;
-    ray->org_z = (float)origin.z;
-    ray->tnear = 0;
-    ray->dir_x = (float)direction.x;
-    ray->dir_y = (float)direction.y;
-    ray->dir_z = (float)direction.z;
-    ray->time = 0;
+    const murk_four_floats start = {(float)origin.x, (float)origin.y,
+                                    (float)origin.z, 0};
+    const murk_four_floats along = {(float)direction.x, (float)direction.y,
+                                    (float)direction.z, 0};
+    _Static_assert(offsetof(struct RTCRay, tnear) == 3 * sizeof(float) &&
+                       offsetof(struct RTCRay, dir_x) == sizeof start &&
+                       offsetof(struct RTCRay, time) == 7 * sizeof(float),
+                   "the order of the members of Embree's ray");
+    memcpy(&ray->org_x, &start, sizeof start);
+    memcpy(&ray->dir_x, &along, sizeof along);
     ray->tfar = tfar;
     ray->mask = mask;
     ray->id = 0;

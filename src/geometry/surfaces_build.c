@@ -29,6 +29,7 @@ static void measure(murk_surfaces *s)
     }
     s->unit_m = soup->extent * (double)FLT_EPSILON;
     s->leave_m = MURK_LEAVE_UNITS * s->unit_m;
+    s->sheet_planes = murk_sheet_planes_of(soup, s->unit_m);
     const murk_vec3 margin = murk_vec(s->leave_m, s->leave_m, s->leave_m);
     s->reach = (murk_box){murk_sub(soup->box.min, margin),
                           murk_add(soup->box.max, margin)};

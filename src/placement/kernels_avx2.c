@@ -1,8 +1,8 @@
 /* Kernels for AVX2. The loops over bits are the portable ones, compiled with
  * popcnt and bmi; the loop over dense clarities without weights processes 16
- * slots at a time. Packed clarities are spread over their slots eight at a
- * time, by a byte shuffle whose control is looked up by the eight bits of the
- * row. All sums are exact integers, equal to those of the portable kernels. */
+ * slots at a time. Packed clarities are spread over their slots sixteen at a
+ * time, by byte shuffles whose controls are looked up by eight bits of the row
+ * each. All sums are exact integers, equal to those of the portable kernels. */
 #include "placement/kernels.h"
 
 #if defined(__x86_64__)
@@ -15,7 +15,7 @@
 /* A 32-bit lane takes two 16-bit terms a step and is full after 2^15 steps. */
 #define STEPS_PER_FLUSH 32768
 
-/* 16 times murk_gain_term(). */
+/* murk_gain_term() of 16 slots. */
 MURK_TARGET static inline __m256i term(__m256i row, __m256i best,
                                        bool is_independent)
 {
@@ -82,76 +82,89 @@ MURK_TARGET static uint64_t dense(const uint16_t *row, const uint16_t *best,
 static const uint8_t spread[256][16] __attribute__((aligned(16))) = {
     SPREAD_64(0), SPREAD_64(64), SPREAD_64(128), SPREAD_64(192)};
 
-/* The numbers of set bits below each byte of the word, one byte each; the
- * highest byte of the product would be the number of all. */
-static inline uint64_t bits_below_bytes(uint64_t word)
+/* The clarities of 16 slots, those of the two bytes of the word from bit
+ * `shift` on: those from p, the clarities of the whole word, go to the slots
+ * whose bits are set, all other slots are 0. p NULL: MURK_CLEAR in place of
+ * those from p. */
+MURK_LOOP __m256i expand(const uint16_t *p, uint64_t word, int shift)
 {
-    const uint64_t ones = UINT64_C(0x0101010101010101);
-    uint64_t count = word - ((word >> 1) & 0x55 * ones);
-    count = (count & 0x33 * ones) + ((count >> 2) & 0x33 * ones);
-    count = (count + (count >> 4)) & 0x0f * ones;
-    return (count * ones) << 8;
-}
-
-/* The clarities of eight slots: those from p go to the slots whose bits are set
- * in mask, all other slots are 0. p NULL: MURK_CLEAR in place of those from p.
- */
-MURK_LOOP __m128i expand(const uint16_t *p, uint8_t mask)
-{
-    if (p) {
-        return _mm_shuffle_epi8(_mm_loadu_si128((const void *)p),
-                                _mm_load_si128((const void *)spread[mask]));
+    if (!p) {
+        const __m256i bit =
+            _mm256_setr_epi16(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048,
+                              4096, 8192, 16384, (short)32768);
+        return _mm256_cmpeq_epi16(
+            _mm256_and_si256(_mm256_set1_epi16((short)(word >> shift)), bit),
+            bit);
     }
-    const __m128i bit = _mm_setr_epi16(1, 2, 4, 8, 16, 32, 64, 128);
-    return _mm_cmpeq_epi16(_mm_and_si128(_mm_set1_epi16(mask), bit), bit);
+    /* Each byte begins behind the clarities of the bits below it. */
+    const uint16_t *low =
+        p + (shift > 0 ? __builtin_popcountll(word << (64 - shift)) : 0);
+    const uint16_t *high = p + __builtin_popcountll(word << (56 - shift));
+    const __m256i given = _mm256_inserti128_si256(
+        _mm256_castsi128_si256(_mm_loadu_si128((const void *)low)),
+        _mm_loadu_si128((const void *)high), 1);
+    const __m256i control = _mm256_inserti128_si256(
+        _mm256_castsi128_si256(
+            _mm_load_si128((const void *)spread[(uint8_t)(word >> shift)])),
+        _mm_load_si128((const void *)spread[(uint8_t)(word >> (shift + 8))]),
+        1);
+    return _mm256_shuffle_epi8(given, control);
 }
 
-/* Adds 8 terms to the lanes of sum: 8 lanes of 32 bits, or with weights 4 lanes
- * of 64 bits. */
-MURK_LOOP __m256i add_terms(__m256i sum, __m128i d, const uint32_t *weight)
+/* Sums of 16-bit terms. Without weights `pairs` has 8 lanes of 32 bits, each
+ * the sum of the pairs of terms, low + 65536 high, modulo 2^32, and `high` the
+ * sum of the high terms. With weights `pairs` has 4 lanes of 64 bits. */
+typedef struct term_sums {
+    __m256i pairs, high;
+} term_sums;
+
+/* Adds the products of 8 terms and their weights. */
+MURK_LOOP __m256i add_products(__m256i sum, __m128i d, const uint32_t *weight)
 {
     const __m256i wide = _mm256_cvtepu16_epi32(d);
-    if (!weight) {
-        return _mm256_add_epi32(sum, wide);
-    }
     const __m256i w = _mm256_loadu_si256((const void *)weight);
     sum = _mm256_add_epi64(sum, _mm256_mul_epu32(wide, w));
     return _mm256_add_epi64(sum, _mm256_mul_epu32(_mm256_srli_epi64(wide, 32),
                                                   _mm256_srli_epi64(w, 32)));
 }
 
-/* The sum of the lanes that add_terms() filled. */
-MURK_LOOP uint64_t reduce_terms(__m256i sum, bool has_weights)
+/* Adds 16 terms. */
+MURK_LOOP void add_terms(term_sums *sums, __m256i d, const uint32_t *weight)
+{
+    if (weight) {
+        sums->pairs =
+            add_products(sums->pairs, _mm256_castsi256_si128(d), weight);
+        sums->pairs = add_products(sums->pairs, _mm256_extracti128_si256(d, 1),
+                                   weight + 8);
+    } else {
+        sums->pairs = _mm256_add_epi32(sums->pairs, d);
+        sums->high = _mm256_add_epi32(sums->high, _mm256_srli_epi32(d, 16));
+    }
+}
+
+/* The sum of all terms that add_terms() has added. */
+MURK_LOOP uint64_t reduce_terms(const term_sums *sums, bool has_weights)
 {
     uint64_t lane[4];
+    __m256i sum = sums->pairs;
     if (!has_weights) {
-        const __m256i zero = _mm256_setzero_si256();
-        sum = _mm256_add_epi64(_mm256_unpacklo_epi32(sum, zero),
-                               _mm256_unpackhi_epi32(sum, zero));
+        const __m256i zero = _mm256_setzero_si256(), high = sums->high;
+        const __m256i low = _mm256_sub_epi32(sum, _mm256_slli_epi32(high, 16));
+        sum = _mm256_add_epi64(
+            _mm256_add_epi64(_mm256_unpacklo_epi32(low, zero),
+                             _mm256_unpackhi_epi32(low, zero)),
+            _mm256_add_epi64(_mm256_unpacklo_epi32(high, zero),
+                             _mm256_unpackhi_epi32(high, zero)));
     }
     _mm256_storeu_si256((void *)lane, sum);
     return lane[0] + lane[1] + lane[2] + lane[3];
 }
 
-/* A word makes eight steps, in each of which a 32-bit lane takes one term: so
- * many words fill the lane. */
-#define WORDS_PER_FLUSH 8192
+/* A word makes four steps, in each of which a 32-bit lane takes one low and one
+ * high term: so many words fill the sum of either. */
+#define WORDS_PER_FLUSH 16384
 
-/* The terms of the eight slots of one byte of a word, best of the first of
- * them. */
-MURK_LOOP __m128i terms_of_byte(uint64_t word, uint64_t below, int byte,
-                                const uint16_t *p, const uint16_t *best,
-                                bool is_independent)
-{
-    const __m128i given = expand(p ? p + (uint8_t)(below >> (8 * byte)) : NULL,
-                                 (uint8_t)(word >> (8 * byte)));
-    const __m128i old = _mm_loadu_si128((const void *)(best + 8 * byte));
-    return is_independent
-               ? _mm_mulhi_epu16(given, _mm_xor_si128(old, _mm_set1_epi32(-1)))
-               : _mm_subs_epu16(given, old);
-}
-
-/* Each word makes eight steps, written out so that all shifts are constants. */
+/* Each word makes four steps, written out so that all shifts are constants. */
 MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
                               const uint16_t *clarity, const uint16_t *best,
                               const uint32_t *weight, size_t words,
@@ -162,31 +175,28 @@ MURK_LOOP uint64_t sum_packed(const uint64_t *row, const uint32_t *at,
     for (size_t k = 0; k < words;) {
         const size_t end =
             words - k < WORDS_PER_FLUSH ? words : k + WORDS_PER_FLUSH;
-        __m256i sum = _mm256_setzero_si256();
+        const __m256i zero = _mm256_setzero_si256();
+        term_sums sums = {zero, zero};
         for (; k < end; ++k) {
             const uint64_t word = row[k];
-            const uint64_t below = p ? bits_below_bytes(word) : 0;
             const size_t first = 64 * murk_word_at(at, k);
-            /* Byte b of the word has slots 8 b to 8 b + 7 of the word. */
-#define STEP(byte)                                                         \
-    sum = add_terms(                                                       \
-        sum,                                                               \
-        terms_of_byte(word, below, byte, p, best + first, is_independent), \
-        weight ? weight + first + 8 * (byte) : NULL)
+            /* The step takes slots `shift` to shift + 15 of the word. */
+#define STEP(shift)                                                            \
+    add_terms(&sums,                                                           \
+              term(expand(p, word, shift),                                     \
+                   _mm256_loadu_si256((const void *)(best + first + (shift))), \
+                   is_independent),                                            \
+              weight ? weight + first + (shift) : NULL)
             STEP(0);
-            STEP(1);
-            STEP(2);
-            STEP(3);
-            STEP(4);
-            STEP(5);
-            STEP(6);
-            STEP(7);
+            STEP(16);
+            STEP(32);
+            STEP(48);
 #undef STEP
             if (p) {
                 p += __builtin_popcountll(word);
             }
         }
-        total += reduce_terms(sum, weight);
+        total += reduce_terms(&sums, weight);
     }
     *used = (size_t)(p - clarity);
     return total;

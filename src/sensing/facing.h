@@ -43,7 +43,7 @@ static inline const murk_side *murk_side_recall(murk_side sides[MURK_SIDES],
 {
     murk_side *s =
         &sides[(packed * UINT32_C(2654435769)) >> (32 - MURK_SIDES_LOG2)];
-    if (s->packed != packed) {
+    if (__builtin_expect(s->packed != packed, 0)) {
         *s = murk_side_of(surfaces, packed);
     }
     return s;
@@ -71,7 +71,8 @@ static inline bool murk_side_faces(const murk_side *s, murk_vec3 photon,
 {
     const murk_vec3 offset = murk_sub(sensor, photon);
     const double above = murk_dot(s->normal, offset) - position_error_m;
-    return above > 0 && above * above > s->tilt2 * murk_dot(offset, offset);
+    /* Without a branch: the outcome is hard to predict. */
+    return (above > 0) & (above * above > s->tilt2 * murk_dot(offset, offset));
 }
 
 #endif

@@ -210,9 +210,9 @@ static void add_across(row_search *l, const murk_photon *p,
 
 /* The end of the sightline to a photon, in *from; false if the filters of the
  * type reject the photon or the normal does not face the sensor. */
-static bool find_start(const row_search *l, const murk_photon *p,
-                       murk_vec3 sensor, murk_side sides[MURK_SIDES],
-                       murk_vec3 *from)
+static inline __attribute__((always_inline)) bool
+find_start(const row_search *l, const murk_photon *p, murk_vec3 sensor,
+           murk_side sides[MURK_SIDES], murk_vec3 *from)
 {
     const murk_vec3 at = murk_photon_place(p);
     *from = at;
@@ -266,10 +266,9 @@ static void search_map(row_search *l, const murk_photon_map *map,
                 continue;
             }
         }
-        if (!find_start(l, p, sensor, sides, &from[filled])) {
-            continue;
-        }
-        number[filled++] = found[i];
+        /* The photon is written in any case, and counted if it remains. */
+        number[filled] = found[i];
+        filled += find_start(l, p, sensor, sides, &from[filled]);
         if (filled == BLOCK) {
             add_visible(l, photon, first, number, from, filled);
             filled = 0;

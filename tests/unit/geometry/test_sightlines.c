@@ -4,6 +4,7 @@
  * verdict: seeds are fixed and every pair must agree. */
 #include "check.h"
 #include "geometry/surfaces.h"
+#include "geometry/walk.h"
 #include "random_mesh.h"
 
 #include <stdlib.h>
@@ -190,6 +191,85 @@ static void test_sheets_dim_and_do_not_block(void)
     murk_surfaces_destroy(s);
 }
 
+/* The simple version: every sightline is walked. */
+static double walked_transmittance(const murk_surfaces *s, murk_vec3 from,
+                                   murk_vec3 to)
+{
+    const murk_vec3 along = murk_sub(to, from);
+    const double length = murk_length(along);
+    murk_walk w;
+    if (!murk_walk_begin(&w, s, from, murk_scale(1 / length, along), length,
+                         MURK_MASK(MURK_FACE_SHEET))) {
+        return 1;
+    }
+    double transmittance = 1, last = s->leave_m;
+    while (murk_walk_next(&w)) {
+        murk_vec3 normal;
+        const double distance = murk_walk_locate(
+            &w, murk_primitive_of(&s->soup, &w.ray.hit), &normal);
+        if (distance > last && distance < length - s->leave_m) {
+            transmittance *= 0.5;
+            last = distance + s->leave_m;
+        }
+    }
+    return transmittance;
+}
+
+/* Sheets in few planes, one of them oblique, in more planes than are listed,
+ * and a curved sheet. Lines end anywhere, within float steps of a plane, or on
+ * the line through a point of the rim of a sheet; others run along a plane. */
+static void check_sheets(size_t sheets, bool has_sphere)
+{
+    /* The sheets. */
+    murk_surface_desc desc[41];
+    for (size_t i = 0; i < sheets; ++i) {
+        const murk_random4 r = murk_random(SEED, MURK_TEST, i, 7, 0);
+        desc[i] = pane(floor(3 * r.u[0]), 1);
+        desc[i].to_world =
+            murk_affine_place(murk_vec(0, 0,
+                                       sheets > 20  ? 9 * (double)i
+                                       : i % 3 == 0 ? 37
+                                                    : 0),
+                              0.3, murk_vec(0, r.u[1], r.u[2]));
+    }
+    if (has_sphere) {
+        desc[sheets++] = (murk_surface_desc){.shape = MURK_SHAPE_SPHERE,
+                                             .radius_m = 0.4,
+                                             .to_world = murk_affine_identity(),
+                                             .material = 1};
+    }
+    murk_surfaces *s = create(desc, sheets);
+    /* Lines from and to places that a random triangle gives. */
+    size_t differ = 0, dimmed = 0;
+    for (uint64_t i = 0; i < 200000; ++i) {
+        const murk_random4 r = murk_random(SEED, MURK_TEST, i, 8, 0);
+        const size_t k =
+            (size_t)(r.u[0] * (double)s->soup.first_triangle[MURK_FACES]);
+        const murk_triangle t = murk_soup_placed_triangle(&s->soup, k);
+        const murk_vec3 normal = murk_unit(murk_triangle_normal(&t));
+        const murk_vec3 rim = murk_along(t.a, r.u[1], murk_sub(t.b, t.a));
+        const murk_vec3 in_plane =
+            murk_along(rim, 2 * r.u[2] - 0.8, murk_sub(t.c, t.b));
+        const double steps = floor(160 * r.u[3] - 80) * s->unit_m;
+        const murk_vec3 from = random_point(SEED + 1, i);
+        const murk_vec3 to[4] = {
+            random_point(SEED + 2, i), murk_along(in_plane, steps, normal),
+            murk_along(from, 1 + r.u[3], murk_sub(rim, from)),
+            murk_along(murk_along(from, -murk_dot(murk_sub(from, rim), normal),
+                                  normal),
+                       steps, normal)};
+        const murk_vec3 begin =
+            i % 4 == 3 ? murk_along(in_plane, -steps, normal) : from;
+        const double filtered =
+            murk_surfaces_sheet_transmittance(s, begin, to[i % 4], 0);
+        differ += filtered != walked_transmittance(s, begin, to[i % 4]);
+        dimmed += filtered < 1;
+    }
+    CHECK(differ == 0);
+    CHECK(dimmed > 5000 && dimmed < 195000);
+    murk_surfaces_destroy(s);
+}
+
 int main(void)
 {
     check_mesh(0.3, 268, false);
@@ -198,5 +278,8 @@ int main(void)
     test_ends_on_surfaces_do_not_block();
     test_grazing_lines_along_a_wall_are_open();
     test_sheets_dim_and_do_not_block();
+    check_sheets(12, false);
+    check_sheets(40, false);
+    check_sheets(12, true);
     return check_done();
 }
