@@ -5,7 +5,7 @@
  * and several times as long. */
 #include "base/sort.h"
 
-#define BUCKETS 256
+#define BUCKETS 256 /* values of a byte */
 
 /* Up to so many numbers are sorted by insertion, which is faster than counting
  * 256 buckets (a choice). */

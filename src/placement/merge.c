@@ -165,6 +165,7 @@ static bool choose_representatives(merging *m, const murk_problem *problem)
         return false;
     }
     memcpy(left, m->size, m->groups * sizeof *left);
+    /* The first photons of each group stay, until they stand for all of it. */
     for (uint32_t i = 0; i < m->photons; ++i) {
         const size_t slot = murk_layout_slot(m->old, i);
         const uint32_t rest = left[m->group[slot]];

@@ -1,11 +1,11 @@
 /* Coverage of a set of sensors on the maps of a sight: computes the rows of the
  * sensors, combines them photon by photon, and sums up
- * (sensing/coverage_sums.h). */
+ * (sensing/covered_photons.h). */
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/position.h"
 #include "base/progress.h"
-#include "sensing/coverage_sums.h"
+#include "sensing/covered_photons.h"
 #include "sensing/sight_parts.h"
 
 #include <stdlib.h>
@@ -54,7 +54,7 @@ murk_status murk_coverage_rows(murk_sight *sight, const murk_pose *pose,
  * sensor alone. */
 static void add_row(void *context, uint32_t sensor, const murk_sparse_row *row)
 {
-    murk_covered *m = context;
+    murk_covered_photons *m = context;
     for (size_t k = 0; k < row->seen; ++k) {
         m->single_value[sensor] +=
             (uint64_t)m->weight[row->photon[k]] *
@@ -68,14 +68,14 @@ static void add_row(void *context, uint32_t sensor, const murk_sparse_row *row)
  * sensor. */
 static void add_only(void *context, uint32_t sensor, const murk_sparse_row *row)
 {
-    murk_covered *m = context;
+    murk_covered_photons *m = context;
     m->only[sensor] = murk_combined_rows_only_of(&m->combined, m->weight, row);
     murk_progress_add(1);
 }
 
 /* The rows of all sensors: once, and with detection probabilities a second time
  * for the values that are lost without each sensor. */
-static murk_status find_rows(murk_covered *m, murk_sight *sight,
+static murk_status find_rows(murk_covered_photons *m, murk_sight *sight,
                              const murk_pose *pose, murk_error *err)
 {
     const bool is_twice = m->combined.dose;
@@ -131,13 +131,13 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
                                          murk_error *err)
 {
     const murk_sight_desc *desc = &sight->desc;
-    murk_covered m = {.desc = desc,
-                      .sight = sight,
-                      .sensors = n,
-                      .photons = sight->photons,
-                      .surface_photons =
-                          murk_photon_map_count(desc->surface_map),
-                      .weight = sight->weight};
+    murk_covered_photons m = {.desc = desc,
+                              .sight = sight,
+                              .sensors = n,
+                              .photons = sight->photons,
+                              .surface_photons =
+                                  murk_photon_map_count(desc->surface_map),
+                              .weight = sight->weight};
     murk_coverage_result coverage = {0};
     murk_status status = murk_coverage_check(desc, pose, n, err);
     if (!status) {
@@ -145,7 +145,7 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
         m.single_value = calloc(n + 1, sizeof *m.single_value);
         if (!murk_coverage_result_create(
                 &coverage, n, desc->interest ? desc->interest->n : 0) ||
-            !murk_covered_init(&m, sight->photons) || !m.single_value) {
+            !murk_covered_photons_init(&m, sight->photons) || !m.single_value) {
             status = murk_no_memory(err, "",
                                     "to measure %zu sensors over %zu photons",
                                     n, sight->photons);
@@ -155,14 +155,14 @@ murk_status murk_coverage_result_measure(murk_coverage_result *out,
         status = find_rows(&m, sight, pose, err);
     }
     if (!status) {
-        status = murk_covered_sum_up(&coverage, &m, err);
+        status = murk_covered_photons_sum_up(&coverage, &m, err);
     }
     if (status) {
         murk_coverage_result_release(&coverage);
     } else {
         *out = coverage;
     }
-    murk_covered_release(&m);
+    murk_covered_photons_release(&m);
     return status;
 }
 

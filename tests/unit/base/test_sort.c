@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST 20000
+#define LENGTH_MAX 20000
 
 static void compare(size_t n, uint64_t mask)
 {
-    static uint64_t key[MOST], plain[MOST];
+    static uint64_t key[LENGTH_MAX], plain[LENGTH_MAX];
     for (size_t i = 0; i < n; ++i) {
         const murk_random4 r = murk_random(1, MURK_EMIT, i, (uint32_t)n, 0);
         key[i] =
@@ -28,7 +28,7 @@ int main(void)
 {
     const uint64_t mask[] = {UINT64_MAX,   0,         0xff, 0xff00ff,
                              0xfful << 56, UINT32_MAX};
-    const size_t n[] = {0, 1, 2, 48, 49, 1000, MOST};
+    const size_t n[] = {0, 1, 2, 48, 49, 1000, LENGTH_MAX};
     for (size_t m = 0; m < sizeof mask / sizeof *mask; ++m) {
         for (size_t k = 0; k < sizeof n / sizeof *n; ++k) {
             compare(n[k], mask[m]);

@@ -1,7 +1,7 @@
 /* The photons that sensors cover, and the sums of coverage over them. For use
  * inside src/sensing only. */
-#ifndef MURK_SENSING_COVERAGE_SUMS_H
-#define MURK_SENSING_COVERAGE_SUMS_H
+#ifndef MURK_SENSING_COVERED_PHOTONS_H
+#define MURK_SENSING_COVERED_PHOTONS_H
 
 #include "sensing/combined_rows.h"
 #include "sensing/sight.h"
@@ -20,7 +20,7 @@ typedef struct murk_photon_list {
     uint8_t *light, *bits;
 } murk_photon_list;
 
-typedef struct murk_covered {
+typedef struct murk_covered_photons {
     const murk_sight_desc *desc;
     const murk_sight *sight; /* the stored photons; NULL: `list` */
     const murk_photon_list *list;
@@ -34,18 +34,19 @@ typedef struct murk_covered {
                           that exactly k sensors see */
     size_t at_least; /* 0, or a number of sensors: a photon that so many sensors
                         or more see counts fully, any other photon not at all */
-} murk_covered;
+} murk_covered_photons;
 
 /* Allocates combined rows of so many photons, only and seen_by, after desc and
  * sensors are set. False when out of memory; release it also then. */
-bool murk_covered_init(murk_covered *out, size_t photons);
-void murk_covered_release(murk_covered *covered);
+bool murk_covered_photons_init(murk_covered_photons *out, size_t photons);
+void murk_covered_photons_release(murk_covered_photons *covered);
 
 /* Fills *out from the combined rows, `only` and single_value. *out has the
  * arrays of murk_coverage_result_create(). Without single_value, covers and
  * sum_of_views are NaN. Fails with MURK_NO_MEMORY. */
-murk_status murk_covered_sum_up(murk_coverage_result *out,
-                                const murk_covered *covered, murk_error *err);
+murk_status murk_covered_photons_sum_up(murk_coverage_result *out,
+                                        const murk_covered_photons *covered,
+                                        murk_error *err);
 
 /* Receives the row of one sensor. */
 typedef void (*murk_row_sink)(void *context, uint32_t sensor,

@@ -8,7 +8,7 @@
  * is the mean of both residuals (if one map has no weight, those of the other
  * map alone); photons without records have residual 0. Then se^2 = N / (N - 1)
  * sum r_e^2 (Cochran, Sampling Techniques, 1977, ch. 6). */
-#include "sensing/coverage_sums.h"
+#include "sensing/covered_photons.h"
 
 #include "base/sort.h"
 #include "sensing/region_coverage.h"
@@ -29,14 +29,14 @@ typedef struct share {
 } share;
 
 /* The power [W] of photon i, times the factor of the regions of interest. */
-static double power_of(const murk_covered *m, size_t i)
+static double power_of(const murk_covered_photons *m, size_t i)
 {
     return m->list ? (double)m->list->power_w[i]
                    : murk_sight_power_w(m->sight, i);
 }
 
 /* The map of photon i: 0 surface, 1 volume. */
-static int map_of(const murk_covered *m, size_t i)
+static int map_of(const murk_covered_photons *m, size_t i)
 {
     return m->list ? m->list->bits[i] & MURK_LISTED_VOLUME
                    : i >= m->surface_photons;
@@ -45,13 +45,13 @@ static int map_of(const murk_covered *m, size_t i)
 /* ---- sums ---- */
 
 /* The value of a photon that is fully covered. */
-static uint32_t full_of(const murk_covered *m)
+static uint32_t full_of(const murk_covered_photons *m)
 {
     return (uint32_t)m->combined.layers * MURK_CLEAR;
 }
 
 /* The value of photon i for these sensors; with at_least, full_of() or 0. */
-static uint32_t worth_of(const murk_covered *m, size_t i)
+static uint32_t worth_of(const murk_covered_photons *m, size_t i)
 {
     return m->at_least == 0 ? murk_combined_rows_worth(&m->combined, i)
            : m->combined.sensors[i] >= m->at_least ? full_of(m)
@@ -60,7 +60,7 @@ static uint32_t worth_of(const murk_covered *m, size_t i)
 
 /* Sums over the photons of each map. Power is summed in the order of the
  * photons, which does not depend on threads. */
-static void add_up(share part[2], const murk_covered *m)
+static void add_up(share part[2], const murk_covered_photons *m)
 {
     part[0] = part[1] = (share){0};
     for (size_t i = 0; i < m->photons; ++i) {
@@ -87,7 +87,7 @@ static double own_fraction(const share *s)
     return s->whole_w > 0 ? s->seen_w / s->whole_w : NAN;
 }
 
-static void fill(murk_coverage_result *out, const murk_covered *m,
+static void fill(murk_coverage_result *out, const murk_covered_photons *m,
                  uint64_t whole)
 {
     uint64_t seen = 0;
@@ -122,7 +122,8 @@ typedef struct residuals {
 
 /* True if place k > 0 of the order by emitted photon begins another emitted
  * photon. key NULL: the photons are listed in this order. */
-static bool is_first(const murk_covered *m, const uint64_t *key, size_t k)
+static bool is_first(const murk_covered_photons *m, const uint64_t *key,
+                     size_t k)
 {
     return key ? key[k] >> 32 != key[k - 1] >> 32
                : m->list->bits[k] & MURK_LISTED_FIRST;
@@ -131,8 +132,9 @@ static bool is_first(const murk_covered *m, const uint64_t *key, size_t k)
 /* Sums the squared residuals by emitted photon. In weights, each record is
  * compared with the coverage of its own map for `balanced`, and otherwise with
  * the total; in power, always with the coverage of its own map. */
-static residuals square_residuals(const murk_covered *m, const uint64_t *key,
-                                  const share part[2], double c_total)
+static residuals square_residuals(const murk_covered_photons *m,
+                                  const uint64_t *key, const share part[2],
+                                  double c_total)
 {
     const murk_sight_desc *desc = m->desc;
     double c_weight[2], c_power[2];
@@ -178,15 +180,15 @@ static double error_of(double squares, double whole, double emitted)
 /* The share of the whole weight that lies in photons seen by desc->at_least
  * sensors or more, each of which counts fully, with the standard error; NaN if
  * at_least is 0. */
-static void find_at_least(murk_coverage_result *out, const murk_covered *m,
-                          const uint64_t *sorted)
+static void find_at_least(murk_coverage_result *out,
+                          const murk_covered_photons *m, const uint64_t *sorted)
 {
     const murk_sight_desc *desc = m->desc;
     out->at_least = (murk_estimate){NAN, NAN};
     if (desc->at_least == 0) {
         return;
     }
-    murk_covered strict = *m;
+    murk_covered_photons strict = *m;
     strict.at_least = desc->at_least;
     share part[2];
     add_up(part, &strict);
@@ -200,13 +202,13 @@ static void find_at_least(murk_coverage_result *out, const murk_covered *m,
 
 static double seen_of(const void *context, size_t i)
 {
-    const murk_covered *m = context;
+    const murk_covered_photons *m = context;
     return (double)murk_combined_rows_worth(&m->combined, i) / full_of(m);
 }
 
 /* The photons sorted by emitted photon, as emitted << 32 | photon, for free().
  * NULL when out of memory. */
-static uint64_t *sort_by_emitted(const murk_covered *m)
+static uint64_t *sort_by_emitted(const murk_covered_photons *m)
 {
     uint64_t *key = malloc(m->photons * sizeof *key + 1);
     for (size_t i = 0; key && i < m->photons; ++i) {
@@ -222,8 +224,9 @@ static uint64_t *sort_by_emitted(const murk_covered *m)
 
 /* Fills the errors, the shares of the maps, at_least and the regions. sorted:
  * the photons by emitted photon; NULL if they are listed in that order. */
-static void find_errors(murk_coverage_result *out, const murk_covered *m,
-                        const share part[2], const uint64_t *sorted)
+static void find_errors(murk_coverage_result *out,
+                        const murk_covered_photons *m, const share part[2],
+                        const uint64_t *sorted)
 {
     const murk_sight_desc *desc = m->desc;
     const residuals sum = square_residuals(m, sorted, part, out->total.value);
@@ -253,7 +256,7 @@ static void find_errors(murk_coverage_result *out, const murk_covered *m,
 
 /* ---- the whole ---- */
 
-bool murk_covered_init(murk_covered *out, size_t photons)
+bool murk_covered_photons_init(murk_covered_photons *out, size_t photons)
 {
     const murk_sight_desc *desc = out->desc;
     const size_t n = out->sensors;
@@ -265,7 +268,7 @@ bool murk_covered_init(murk_covered *out, size_t photons)
            out->only && out->seen_by;
 }
 
-void murk_covered_release(murk_covered *covered)
+void murk_covered_photons_release(murk_covered_photons *covered)
 {
     murk_combined_rows_release(&covered->combined);
     free(covered->single_value);
@@ -273,8 +276,9 @@ void murk_covered_release(murk_covered *covered)
     free(covered->seen_by);
 }
 
-murk_status murk_covered_sum_up(murk_coverage_result *out,
-                                const murk_covered *m, murk_error *err)
+murk_status murk_covered_photons_sum_up(murk_coverage_result *out,
+                                        const murk_covered_photons *m,
+                                        murk_error *err)
 {
     uint64_t *sorted = NULL;
     share part[2];
