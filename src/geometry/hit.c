@@ -23,6 +23,11 @@
 #define DRAW_BACK_UNITS 64
 #define EDGE_SINE       0.25
 
+/* A search up to a distance goes this many float steps farther. The sum of
+ * MURK_WALK_AGREE_UNITS, by which Embree's distance may exceed that of the
+ * plane, and DRAW_BACK_UNITS is 128; the rest is for rounding. */
+#define BEYOND_UNITS 256
+
 /* True if Embree's hit point is within EDGE_UNITS float steps of an edge. The
  * distance to an edge is a barycentric coordinate times the height over that
  * side. */
@@ -103,6 +108,15 @@ static double drawn_back(const murk_walk *w, murk_primitive p, murk_vec3 normal,
 bool murk_surfaces_hit(const murk_surfaces *s, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit)
 {
+    return murk_surfaces_hit_near(s, origin, direction, max_m, INFINITY, hit);
+}
+
+bool murk_surfaces_hit_near(const murk_surfaces *s, murk_vec3 origin,
+                            murk_vec3 direction, double max_m, double near_m,
+                            murk_hit *hit)
+{
+    const double beyond_m = near_m + BEYOND_UNITS * s->unit_m;
+    max_m = max_m > beyond_m ? beyond_m : max_m;
     murk_walk w;
     if (!murk_walk_begin(&w, s, origin, direction, max_m, MURK_MASK_ALL)) {
         return false;

@@ -94,6 +94,12 @@ typedef struct murk_hit {
 bool murk_surfaces_hit(const murk_surfaces *surfaces, murk_vec3 origin,
                        murk_vec3 direction, double max_m, murk_hit *hit);
 
+/* The same for a caller to whom an intersection farther than near_m is as good
+ * as none: such an intersection may be left out, which is faster. */
+bool murk_surfaces_hit_near(const murk_surfaces *surfaces, murk_vec3 origin,
+                            murk_vec3 direction, double max_m, double near_m,
+                            murk_hit *hit);
+
 /* A point slightly off the surface at `point`, on the side to which `normal`
  * points, so that rounding cannot make a ray from that point hit the surface
  * again. The distance is 9.5e-7 of the largest coordinate (relative to the

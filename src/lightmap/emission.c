@@ -101,6 +101,8 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     } else if (e->buffers->keeps_surface || e->buffers->keeps_volume) {
         trace.sink = murk_record_buffers_event;
         trace.takes_any_order = true;
+        trace.skips_surfaces = !e->buffers->keeps_surface;
+        trace.skips_media = !e->buffers->keeps_volume;
         trace.context = e->buffers;
     }
     murk_trace_run(&trace, e->ledger);

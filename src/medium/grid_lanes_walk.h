@@ -13,6 +13,7 @@
  *   BITS(m)            bit k tells whether element k of the mask is -1
  *
  * The operations are those of murk_march_integrate() for each ray. */
+#ifdef WALK
 
 TARGET static void WALK(murk_grid_lanes *g, const murk_tree *tree, size_t lane)
 {
@@ -173,3 +174,5 @@ TARGET static void WALK(murk_grid_lanes *g, const murk_tree *tree, size_t lane)
 #undef SELECT
 #undef SMALLER
 #undef BITS
+
+#endif

@@ -278,17 +278,17 @@ double murk_path_depth(const murk_path *path, int band)
 
 /* ---- the first event ---- */
 
-/* True if a surface lies ahead of `probe` inside the box space->grown;
- * *distance_m then is the distance of the nearest one from the ray's position,
- * not below 0. */
-static bool meets_surface(const murk_path *path, murk_vec3 probe, murk_hit *hit,
-                          double *distance_m)
+/* True if a surface lies ahead of `probe` inside the box space->grown, of which
+ * surfaces farther than near_m may be left out; *distance_m then is the
+ * distance of the nearest one from the ray's position, not below 0. */
+static bool meets_surface(const murk_path *path, murk_vec3 probe, double near_m,
+                          murk_hit *hit, double *distance_m)
 {
     const murk_path_space *space = path->space;
     const double max_m =
         murk_path_sides_ahead(&space->grown, probe, path->direction);
-    if (!murk_surfaces_hit(space->surfaces, probe, path->direction, max_m,
-                           hit)) {
+    if (!murk_surfaces_hit_near(space->surfaces, probe, path->direction, max_m,
+                                near_m, hit)) {
         return false;
     }
     const double ahead =
@@ -319,7 +319,7 @@ static bool comes_first(const murk_path *path, const murk_boundary *boundary,
 }
 
 bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
-                           const murk_path_boundary *boundary,
+                           const murk_path_boundary *boundary, double near_m,
                            murk_path_event *event)
 {
     const murk_path_space *space = path->space;
@@ -333,7 +333,7 @@ bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
         return false;
     }
     if (space->any_surfaces &&
-        meets_surface(path, probe, &event->hit, &event->distance_m)) {
+        meets_surface(path, probe, near_m, &event->hit, &event->distance_m)) {
         event->kind = MURK_PATH_SURFACE;
         if (boundary && !comes_first(path, &boundary->met, &event->hit,
                                      event->distance_m, &event->crossed)) {

@@ -19,9 +19,14 @@ static double fold(double along, double across)
     return copysign(1 - fabs(across), along);
 }
 
+/* Added to a number below 2^51, it moves all digits after the point beyond the
+ * 52 bits of the mantissa, so that the sum is rounded as by nearbyint(), which
+ * is a call for processors before SSE4. */
+#define ROUNDS 0x1.8p52
+
 static uint32_t quantize(double coordinate)
 {
-    return (uint32_t)((int)nearbyint(coordinate * STEPS) + OFFSET);
+    return (uint32_t)((int)(coordinate * STEPS + ROUNDS - ROUNDS) + OFFSET);
 }
 
 uint32_t murk_direction_pack(murk_vec3 unit)

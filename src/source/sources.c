@@ -204,7 +204,13 @@ void murk_sources_deal(const murk_sources *lights, uint64_t n, uint64_t *count)
 murk_ray murk_sources_emit(const murk_sources *lights, uint32_t seed,
                            uint32_t stream, uint64_t photon)
 {
-    const size_t channel = murk_sources_channel_of(lights, photon);
+    return murk_sources_emit_in(lights, murk_sources_channel_of(lights, photon),
+                                seed, stream, photon);
+}
+
+murk_ray murk_sources_emit_in(const murk_sources *lights, size_t channel,
+                              uint32_t seed, uint32_t stream, uint64_t photon)
+{
     const murk_source_state *source = &lights->sources[channel / lights->bands];
     const uint32_t purpose = MURK_EMIT + MURK_STREAM * stream;
     double u[MURK_ENTRY_FACES_NUMBERS] = {0};

@@ -70,6 +70,10 @@ void murk_sources_deal(const murk_sources *lights, uint64_t n, uint64_t *count);
 murk_ray murk_sources_emit(const murk_sources *lights, uint32_t seed,
                            uint32_t stream, uint64_t photon);
 
+/* The same for a caller that knows the channel of the photon. */
+murk_ray murk_sources_emit_in(const murk_sources *lights, size_t channel,
+                              uint32_t seed, uint32_t stream, uint64_t photon);
+
 /* True if the portal receives any light of this light source. */
 bool murk_sources_portal_is_lit(const murk_sources *lights, size_t light,
                                 size_t portal);

@@ -33,6 +33,7 @@ typedef struct lane_batch {
     murk_lane_facts facts;
     bool is_even;    /* a single medium, which is even, fills the domain */
     bool is_watched; /* segments or events are scored or reported */
+    bool watches_media, watches_surfaces; /* those of such events are */
     bool has_other_phases; /* some lane has another phase function than that of
                             * Henyey and Greenstein */
     size_t n;              /* lanes in use: the first n */
@@ -280,7 +281,7 @@ static murk_fate walk(const lane_batch *b, size_t i, murk_walker *w)
     if (!b->facts.any_surfaces && w->number <= b->facts.events_max) {
         /* No medium and no surface: the side of the domain. */
         murk_path_event side;
-        return murk_path_first_event(&w->path, w->probe, NULL, &side)
+        return murk_path_first_event(&w->path, w->probe, NULL, INFINITY, &side)
                    ? murk_meet_side(w, side.distance_m)
                    : murk_walker_lose(w, MURK_LOSS_NUMERICAL);
     }
@@ -298,10 +299,10 @@ static void finish(lane_batch *b, size_t i)
     const bool reflects =
         b->facts.any_surfaces && b->ahead[i].next == MURK_LANE_REFLECTS;
     b->sums->collisions += meets;
-    if (meets && b->is_watched) {
+    if (meets && b->watches_media) {
         watch(b, i);
     }
-    if (reflects && b->is_watched) {
+    if (reflects && b->watches_surfaces) {
         murk_lane_reflected(
             &b->ahead[i], w, &b->lanes, i,
             murk_vec(b->before.x[i], b->before.y[i], b->before.z[i]));
@@ -439,7 +440,11 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
             b.facts.grid = murk_grid_lane_steps_for(steps->set);
         }
     }
-    b.is_watched = sums->scorer || trace->sink;
+    b.watches_media = sums->scorer || (trace->sink && !trace->skips_media);
+    b.watches_surfaces =
+        setup->space.any_surfaces &&
+        (sums->scorer || (trace->sink && !trace->skips_surfaces));
+    b.is_watched = b.watches_media || b.watches_surfaces;
     b.has_other_phases = false;
     /* Begin a photon in each lane. */
     b.n = 0;

@@ -13,17 +13,9 @@
 
 /* Two events nearer to each other than this share of their distance, or of the
  * optical depth to the collision, count as near: a million times the rounding
- * of sums over the regions of a flight. Cost: two in 10^9 events are found
+ * of sums over the regions of a flight. Cost: some two in 10^9 events are found
  * twice. */
 #define NEAR 1e-9
-
-/* True if rounding may decide whether the collision comes before the event. */
-static bool are_near(double flight_m, double event_m, double extinction_per_m,
-                     double tau)
-{
-    const double gap_m = fabs(flight_m - event_m);
-    return !(gap_m > NEAR * event_m && extinction_per_m * gap_m > NEAR * tau);
-}
 
 /* True if a surface of the material, met in the open, either reflects diffusely
  * or absorbs light of this band. */
@@ -53,12 +45,18 @@ void murk_lane_find(murk_lane_ahead *a, murk_walker *w, murk_photon_lanes *l,
         w->event_class = MURK_CLASS_LATER;
         w->wraps = 0;
     }
-    if (!murk_path_first_event(&w->path, w->probe, NULL, &a->ahead)) {
+    /* The event, up to the end of the flight. */
+    const double flight_m = l->distance_m[i];
+    const double near_m =
+        flies ? NEAR * (flight_m + l->tau[i] / extinction_per_m) : 0;
+    if (!murk_path_first_event(&w->path, w->probe, NULL,
+                               flies ? flight_m + near_m : INFINITY,
+                               &a->ahead)) {
         return;
     }
-    /* The nearer of the event and the end of the flight. */
-    const double event_m = a->ahead.distance_m, flight_m = l->distance_m[i];
-    if (flies && are_near(flight_m, event_m, extinction_per_m, l->tau[i])) {
+    /* The nearer of the two. */
+    const double event_m = a->ahead.distance_m;
+    if (flies && fabs(flight_m - event_m) <= near_m) {
         return;
     }
     if (flies && flight_m < event_m) {

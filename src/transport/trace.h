@@ -164,8 +164,12 @@ typedef struct murk_trace {
                            * in any order; the events of one photon stay in
                            * order. Such photons
                            * may be traced side by side (transport/lanes.h) */
-    murk_segment_sink segment_sink; /* may be NULL */
-    void *context;                  /* context of both callbacks */
+    bool skips_surfaces, skips_media; /* the sink has no use for events of the
+                                       * kind MURK_EVENT_SURFACE, or
+                                       * MURK_EVENT_MEDIUM: they may be left
+                                       * out */
+    murk_segment_sink segment_sink;   /* may be NULL */
+    void *context;                    /* context of both callbacks */
     murk_tallies *tallies; /* may be NULL; created for at least `threads`
                             * threads */
     bool takes_back;       /* subtract the contributions of these photons from

@@ -165,7 +165,7 @@ next_event(murk_walker *w)
      * comes first. */
     murk_path_event event;
     if (!murk_path_first_event(&w->path, w->probe, bends ? &ahead : NULL,
-                               &event)) {
+                               INFINITY, &event)) {
         return murk_walker_lose(w, MURK_LOSS_NUMERICAL);
     }
     if (r->any_media && space->any_surfaces && w->solids.n == 0 &&
@@ -196,6 +196,31 @@ static murk_fate follow(murk_walker *w)
 }
 
 /* ---- starts ---- */
+
+/* A photon before the start, of channel 0, with the whole packet. Member by
+ * member, because compilers clear a whole walker with an instruction that takes
+ * as long as to draw the start; of the solids only the number has a meaning. */
+static void set_up(murk_walker *w, const murk_walk_setup *setup,
+                   murk_sums *sums, uint64_t photon)
+{
+    w->setup = setup;
+    w->sums = sums;
+    w->batch = 0;
+    w->photon = photon;
+    w->quanta = MURK_PACKET;
+    w->channel = w->light = w->absorber = 0;
+    w->band = 0;
+    w->number = w->wraps = 0;
+    w->event_class = MURK_CLASS_FIRST;
+    w->path.space = &setup->space;
+    w->path.length_m = INFINITY;
+    w->path.gone_m = w->path.skip_m = 0;
+    w->path.inside = 0;
+    w->solids.n = 0;
+    w->silent_m = 0;
+    w->is_beyond = false;
+    w->score = NULL;
+}
 
 /* Puts the photon at the beginning of the ray, and finds the regions and solids
  * that contain the photon. `probe`: where the search for surfaces begins. */
@@ -303,21 +328,16 @@ murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
 {
     const murk_transport_world *world = r->world;
     const size_t channel = murk_sources_channel_of(world->lights, photon);
-    *w = (murk_walker){.setup = r,
-                       .sums = s,
-                       .batch = batch,
-                       .photon = photon,
-                       .quanta = MURK_PACKET,
-                       .channel = channel,
-                       .light = channel / (size_t)world->bands,
-                       .band = (int)(channel % (size_t)world->bands),
-                       .event_class = MURK_CLASS_FIRST,
-                       .path = {.space = &r->space, .length_m = INFINITY},
-                       .score = score};
+    set_up(w, r, s, photon);
+    w->batch = batch;
+    w->channel = channel;
+    w->light = channel / (size_t)world->bands;
+    w->band = (int)(channel % (size_t)world->bands);
+    w->score = score;
     ++s->emitted[channel];
     /* Draw the start of the photon. */
-    murk_ray ray = murk_sources_emit(world->lights, r->trace->seed,
-                                     r->trace->stream, photon);
+    murk_ray ray = murk_sources_emit_in(world->lights, channel, r->trace->seed,
+                                        r->trace->stream, photon);
     if (world->continues &&
         murk_source_is_distant(murk_sources_get(world->lights, w->light))) {
         come_from_outside(w, &ray);
@@ -369,13 +389,9 @@ void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
 void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,
                     int band, murk_ray ray)
 {
-    murk_walker w = {.setup = r,
-                     .sums = s,
-                     .photon = photon,
-                     .quanta = MURK_PACKET,
-                     .band = band,
-                     .event_class = MURK_CLASS_FIRST,
-                     .path = {.space = &r->space, .length_m = INFINITY}};
+    murk_walker w;
+    set_up(&w, r, s, photon);
+    w.band = band;
     set_out(&w, ray, ray.origin);
     const murk_fate fate = follow(&w);
     s->ended[0][fate] += w.quanta;

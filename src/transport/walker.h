@@ -122,20 +122,32 @@ static inline bool murk_walker_splits(murk_walker *w, double survival, double u,
     return true;
 }
 
-/* The members that all events have in common. */
+/* An event with the members that all events have in common; the others are 0.
+ * Member by member, because compilers clear a whole event with an instruction
+ * that takes longer than all the rest. */
 static inline murk_event murk_walker_event(const murk_walker *w,
                                            murk_event_kind kind)
 {
-    return (murk_event){.kind = kind,
-                        .event_class = w->event_class,
-                        .photon = w->photon,
-                        .number = w->number,
-                        .light = (uint16_t)w->light,
-                        .band = (uint8_t)w->band,
-                        .weight = murk_packet_share(w->quanta),
-                        .leaving = murk_packet_share(w->quanta),
-                        .position = w->path.position,
-                        .direction_in = w->path.direction};
+    const murk_vec3 none = {0, 0, 0};
+    murk_event event;
+    event.kind = kind;
+    event.outcome = MURK_ABSORBED;
+    event.event_class = w->event_class;
+    event.photon = w->photon;
+    event.number = w->number;
+    event.light = (uint16_t)w->light;
+    event.band = (uint8_t)w->band;
+    event.material_or_medium = 0;
+    event.position = w->path.position;
+    event.direction_in = w->path.direction;
+    event.direction_out = none;
+    event.normal = none;
+    event.reflectance = 0;
+    event.weight = event.leaving = murk_packet_share(w->quanta);
+    event.path_m = 0;
+    event.scattering_per_m = 0;
+    event.loss = MURK_LOSS_EVENTS;
+    return event;
 }
 
 static inline void murk_walker_tell(murk_walker *w, murk_event *event)
