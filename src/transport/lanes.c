@@ -17,6 +17,7 @@
 #include "base/philox.h"
 #include "transport/lanes_surfaces.h"
 #include "transport/meet.h"
+#include "transport/score_lanes.h"
 
 /* With fewer photons than this the walker is faster: a step of 8 lanes takes as
  * long as some 2 or 3 collisions of the walker. */
@@ -32,13 +33,16 @@ typedef struct lane_batch {
     uint64_t batch, next, last; /* photons [next, last) are still to begin */
     murk_lane_facts facts;
     bool is_even;    /* a single medium, which is even, fills the domain */
+    bool is_heard;   /* collisions are reported */
     bool is_watched; /* segments or events are scored or reported */
     bool watches_media, watches_surfaces; /* those of such events are */
     bool has_other_phases; /* some lane has another phase function than that of
                             * Henyey and Greenstein */
     size_t n;              /* lanes in use: the first n */
     murk_photon_lanes lanes;
-    murk_lane_rays before; /* the rays before the step, if is_watched */
+    murk_lane_rays before;       /* the rays before the step, if is_watched */
+    murk_lane_scoring scoring;   /* for the instruction set */
+    murk_lane_segments segments; /* that this step scores side by side */
     murk_walker walker[MURK_LANE_COUNT];
     const murk_phase
         *phase[MURK_LANE_COUNT]; /* of the medium of the collision */
@@ -215,7 +219,43 @@ static void sample_other_phases(lane_batch *b)
     }
 }
 
-/* Scores and reports the collision of a lane, as scatter() of walk.c does. */
+/* Scores planes and spheres for the segment of a lane. */
+static void score_crossings(const lane_batch *b, size_t i)
+{
+    const murk_photon_lanes *l = &b->lanes;
+    const murk_lane_rays *from = &b->before;
+    murk_score_crossings(
+        b->walker[i].score, murk_vec(from->x[i], from->y[i], from->z[i]),
+        murk_vec(from->dx[i], from->dy[i], from->dz[i]), l->distance_m[i],
+        from->quanta[i],
+        (murk_station){murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]), 0});
+}
+
+/* Scores the segments to the collisions of a step side by side, except those of
+ * photons whose list might become full: these are left to watch(). */
+static void score(lane_batch *b)
+{
+    const murk_tallies *t = b->sums->scorer->tallies;
+    const murk_photon_lanes *l = &b->lanes;
+    murk_lane_segments *segments = &b->segments;
+    segments->n = b->n;
+    for (size_t i = 0; i < MURK_LANE_COUNT; ++i) {
+        murk_score_path *path = i < b->n ? b->walker[i].score : NULL;
+        const bool is_scored = i < b->n && l->meets[i] != 0 &&
+                               path->last + t->entries_max < MURK_SCORE_ENTRIES;
+        segments->path[i] = is_scored ? path : NULL;
+        segments->length_m[i] = is_scored ? l->distance_m[i] : 0;
+        if (is_scored && t->planes + t->probes > 0) {
+            score_crossings(b, i);
+        }
+    }
+    for (size_t k = 0; k < t->lattices; ++k) {
+        b->scoring(&t->lattice[k], segments);
+    }
+}
+
+/* Scores and reports the collision of a lane, as scatter() of walk.c does; what
+ * score() has scored is only reported. */
 static void watch(lane_batch *b, size_t i)
 {
     const murk_photon_lanes *l = &b->lanes;
@@ -226,7 +266,7 @@ static void watch(lane_batch *b, size_t i)
     const double before = from->quanta[i];
     /* The segment to the collision. */
     w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
-    if (w->score) {
+    if (w->score && !b->segments.path[i]) {
         murk_score_segment(w->score, start, arriving, l->distance_m[i], before,
                            (murk_station){w->path.position, 0});
     }
@@ -299,7 +339,8 @@ static void finish(lane_batch *b, size_t i)
     const bool reflects =
         b->facts.any_surfaces && b->ahead[i].next == MURK_LANE_REFLECTS;
     b->sums->collisions += meets;
-    if (meets && b->watches_media) {
+    const bool is_scored = b->segments.path[i] != NULL;
+    if (meets && b->watches_media && (b->is_heard || !is_scored)) {
         watch(b, i);
     }
     if (reflects && b->watches_surfaces) {
@@ -309,7 +350,7 @@ static void finish(lane_batch *b, size_t i)
     }
     /* A photon whose list overflowed owns the scorer's sums and is followed to
      * its end now. */
-    const bool is_alone = w->score && w->score->has_sums;
+    const bool is_alone = !is_scored && w->score && w->score->has_sums;
     if (scatters && !is_alone) {
         return;
     }
@@ -366,6 +407,9 @@ static void step(lane_batch *b)
     fly(b, n);
     if (b->facts.any_media) {
         b->steps->collide(l, &b->facts, n);
+        if (b->sums->scorer) {
+            score(b);
+        }
     } else {
         memset(l->scatters, 0, sizeof l->scatters);
     }
@@ -440,12 +484,17 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
             b.facts.grid = murk_grid_lane_steps_for(steps->set);
         }
     }
-    b.watches_media = sums->scorer || (trace->sink && !trace->skips_media);
+    b.is_heard = trace->sink && !trace->skips_media;
+    b.watches_media = sums->scorer || b.is_heard;
     b.watches_surfaces =
         setup->space.any_surfaces &&
         (sums->scorer || (trace->sink && !trace->skips_surfaces));
     b.is_watched = b.watches_media || b.watches_surfaces;
     b.has_other_phases = false;
+    b.scoring = murk_lane_scoring_for(steps->set);
+    memset(&b.segments, 0, sizeof b.segments);
+    b.segments.from = &b.before;
+    memset(&b.before, 0, sizeof b.before);
     /* Begin a photon in each lane. */
     b.n = 0;
     while (b.n < MURK_LANE_COUNT &&

@@ -5,6 +5,10 @@
 
 #include <math.h>
 
+/* Entries of the list by which sums of cells are loaded in advance: about the
+ * time of a load from the second cache. */
+#define AHEAD 16
+
 /* The signed distance of a position beyond a plane; 0 if the position lies in
  * the plane. */
 static inline double beyond(const murk_tally_plane *plane, murk_station at)
@@ -71,7 +75,7 @@ static inline void score_probe(murk_score_path *path, const murk_probe *probe,
 void murk_score_start(murk_score_path *path, size_t channel, murk_station at)
 {
     const murk_scorer *scorer = path->scorer;
-    path->cell = scorer->copy + channel * scorer->tallies->cells;
+    path->bin = scorer->copy + channel * scorer->tallies->cells;
     murk_score_jump(path, at);
 }
 
@@ -84,9 +88,9 @@ void murk_score_jump(murk_score_path *path, murk_station at)
     }
 }
 
-void murk_score_segment(murk_score_path *path, murk_vec3 from,
-                        murk_vec3 direction, double length_m, double quanta,
-                        murk_station at)
+void murk_score_crossings(murk_score_path *path, murk_vec3 from,
+                          murk_vec3 direction, double length_m, double quanta,
+                          murk_station at)
 {
     const murk_tallies *t = path->scorer->tallies;
     for (size_t i = 0; i < t->planes; ++i) {
@@ -101,6 +105,14 @@ void murk_score_segment(murk_score_path *path, murk_vec3 from,
     for (size_t i = 0; i < t->probes; ++i) {
         score_probe(path, &t->probe[i], from, direction, length_m, quanta);
     }
+}
+
+void murk_score_segment(murk_score_path *path, murk_vec3 from,
+                        murk_vec3 direction, double length_m, double quanta,
+                        murk_station at)
+{
+    const murk_tallies *t = path->scorer->tallies;
+    murk_score_crossings(path, from, direction, length_m, quanta, at);
     for (size_t i = 0; i < t->lattices; ++i) {
         murk_score_lattice(path, &t->lattice[i], from, direction, length_m,
                            quanta);
@@ -110,40 +122,62 @@ void murk_score_segment(murk_score_path *path, murk_vec3 from,
 void murk_score_spill(murk_score_path *path)
 {
     murk_scorer *const scorer = path->scorer;
-    for (size_t i = 0; i < path->n_entries; ++i) {
-        const murk_score_entry *entry = &path->entry[i];
-        double *const sum = &scorer->value[entry->cell];
-        if (*sum == 0) {
-            scorer->touched[scorer->n_touched++] = entry->cell;
-        }
-        *sum += entry->value;
+    size_t touched = scorer->n_touched;
+    for (size_t i = 1; i <= path->last; ++i) {
+        const uint32_t cell = path->cell[i];
+        /* Load a sum that is needed later. */
+        const size_t ahead = i + AHEAD < path->last ? i + AHEAD : path->last;
+        __builtin_prefetch(&scorer->sum[path->cell[ahead]], 1);
+        double *const sum = &scorer->sum[cell];
+        /* Without a branch, because it is hard to predict if the photon has
+         * been in the cell before. */
+        scorer->touched[touched] = cell;
+        touched += *sum == 0;
+        *sum += path->value[i];
+        /* The bin is needed at the end of the photon: load it in advance. */
+        __builtin_prefetch(&path->bin[cell], 1);
     }
-    path->n_entries = 0;
+    scorer->n_touched = touched;
+    path->last = 0;
     path->has_sums = true;
+}
+
+/* Adds the rounded sums of the photon that ends to the tallies, and clears
+ * them. Inlined for each of the cases. */
+static inline __attribute__((always_inline)) void add_sums(murk_scorer *scorer,
+                                                           murk_tally_bin *bin,
+                                                           bool is_alone,
+                                                           bool takes_back)
+{
+    for (size_t i = 0; i < scorer->n_touched; ++i) {
+        const uint32_t cell = scorer->touched[i];
+        /* Below 2^48: MURK_TALLY_SEGMENTS_MAX segments of a packet. */
+        const uint64_t value = (uint64_t)(int64_t)(scorer->sum[cell] + 0.5);
+        const murk_wide square = (murk_wide)value * value;
+        const murk_wide sum = takes_back ? -(murk_wide)value : value;
+        const murk_wide squares = takes_back ? -square : square;
+        if (is_alone) {
+            murk_wide_add_alone(&bin[cell].sum, sum);
+            murk_wide_add_alone(&bin[cell].squares, squares);
+        } else {
+            murk_wide_add(&bin[cell].sum, sum);
+            murk_wide_add(&bin[cell].squares, squares);
+        }
+        scorer->sum[cell] = 0;
+    }
+    scorer->n_touched = 0;
 }
 
 void murk_score_end(murk_score_path *path, bool takes_back)
 {
     murk_scorer *const scorer = path->scorer;
     murk_score_spill(path);
-    for (size_t i = 0; i < scorer->n_touched; ++i) {
-        const uint32_t cell = scorer->touched[i];
-        const uint64_t value = (uint64_t)(scorer->value[cell] + 0.5);
-        murk_wide sum = value, square = (murk_wide)value * value;
-        if (takes_back) {
-            sum = -sum;
-            square = -square;
-        }
-        murk_tally_bin *const to = &path->cell[cell];
-        if (scorer->is_alone) {
-            murk_wide_add_alone(&to->sum, sum);
-            murk_wide_add_alone(&to->squares, square);
-        } else {
-            murk_wide_add(&to->sum, sum);
-            murk_wide_add(&to->squares, square);
-        }
-        scorer->value[cell] = 0;
+    if (!scorer->is_alone) {
+        add_sums(scorer, path->bin, false, takes_back);
+    } else if (takes_back) {
+        add_sums(scorer, path->bin, true, true);
+    } else {
+        add_sums(scorer, path->bin, true, false);
     }
-    scorer->n_touched = 0;
     path->has_sums = false;
 }

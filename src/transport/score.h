@@ -54,31 +54,34 @@ typedef struct murk_tally_bin {
     murk_wide_sum sum, squares;
 } murk_tally_bin;
 
-/* A contribution of a photon to a cell [quanta]. */
-typedef struct murk_score_entry {
-    double value;
-    uint32_t cell;
-} murk_score_entry;
-
 /* Contributions that a photon may list before the list is emptied into the sums
  * of the photon: a few cells for each of several hundred collisions. The lists
- * of a thread take 1 MiB. */
+ * of a thread take 0.8 MB. Lists lie 16 entries further apart than their
+ * length, because lists at distances of a power of 2 would share few sets of
+ * the cache. */
 #define MURK_SCORE_ENTRIES 2048
+#define MURK_SCORE_STRIDE  (MURK_SCORE_ENTRIES + 16)
 
 /* Photons of one thread that are under way at the same time, at most. */
 #define MURK_SCORE_PATHS 32
+
+/* No cell: the cell of entry 0 of each list, whose value is 0. So every list
+ * has a last entry. */
+#define MURK_SCORE_NO_CELL UINT32_MAX
 
 typedef struct murk_scorer murk_scorer;
 
 /* A photon under way. */
 typedef struct murk_score_path {
     murk_scorer *scorer;
-    murk_tally_bin *cell; /* [cells] of the channel of the photon */
+    murk_tally_bin *bin; /* [cells] of the channel of the photon */
     murk_station at;
     double *side; /* [planes]: signed distance of `at` beyond each plane */
-    murk_score_entry
-        *entry; /* [MURK_SCORE_ENTRIES], in the order of the path */
-    size_t n_entries;
+    /* The list: contributions [quanta] and their cells in the order of the
+     * path, entries 1 to `last`. */
+    double *value;  /* [MURK_SCORE_ENTRIES] */
+    uint32_t *cell; /* [MURK_SCORE_ENTRIES] */
+    size_t last;
     bool has_sums; /* the list has been emptied: the sums of the scorer belong
                     * to this photon, and no other photon of the thread may end
                     * before */
@@ -87,14 +90,15 @@ typedef struct murk_score_path {
 /* The state of one thread. */
 struct murk_scorer {
     const murk_tallies *tallies;
-    double
-        *value; /* [cells]: sums of the photon that ends; 0 between photons */
-    uint32_t *touched; /* [cells]: numbers of the cells that are not 0 */
+    double *sum; /* [cells]: sums of the photon that ends; 0 between photons */
+    uint32_t *touched; /* [cells + 1]: numbers of the cells that are not 0, and
+                        * one that is overwritten */
     size_t n_touched;
-    murk_tally_bin *copy;      /* [channels][cells] */
-    bool is_alone;             /* no other scorer adds to this copy */
-    double *sides;             /* [MURK_SCORE_PATHS][planes] */
-    murk_score_entry *entries; /* [MURK_SCORE_PATHS][MURK_SCORE_ENTRIES] */
+    murk_tally_bin *copy; /* [channels][cells] */
+    bool is_alone;        /* no other scorer adds to this copy */
+    double *sides;        /* [MURK_SCORE_PATHS][planes] */
+    double *values;  /* [MURK_SCORE_PATHS][MURK_SCORE_STRIDE]: of the lists */
+    uint32_t *cells; /* likewise */
     murk_score_path path[MURK_SCORE_PATHS];
 };
 
@@ -106,11 +110,13 @@ struct murk_tallies {
     murk_probe probe[MURK_TALLIES_MAX];
     murk_lattice lattice[MURK_TALLIES_MAX];
     size_t planes, probes, lattices;
+    size_t entries_max; /* that a segment may list */
     size_t cells, channels;
     int bands;
     size_t scorers, copies;
     murk_scorer **scorer; /* [scorers] */
-    murk_tally_bin *cell; /* [copies][channels][cells] */
+    murk_tally_bin *bin;  /* [copies][channels][cells] */
+    void *memory;         /* of the bins */
 };
 
 /* The scorer of a worker of the thread pool. */
@@ -125,6 +131,11 @@ void murk_score_start(murk_score_path *path, size_t channel, murk_station at);
 void murk_score_segment(murk_score_path *path, murk_vec3 from,
                         murk_vec3 direction, double length_m, double quanta,
                         murk_station at);
+
+/* The part of murk_score_segment() for planes and spheres. */
+void murk_score_crossings(murk_score_path *path, murk_vec3 from,
+                          murk_vec3 direction, double length_m, double quanta,
+                          murk_station at);
 
 /* Continues the chain at another position, to which the photon was moved by a
  * periodic side: no crossing is scored between the two positions. */
@@ -150,17 +161,16 @@ static inline void murk_score_add(murk_score_path *path, uint32_t cell,
         return;
     }
     /* In dense media many segments in a row lie in the same cell. */
-    if (path->n_entries > 0 && path->entry[path->n_entries - 1].cell == cell) {
-        path->entry[path->n_entries - 1].value += value;
+    if (path->cell[path->last] == cell) {
+        path->value[path->last] += value;
         return;
     }
-    if (path->n_entries == MURK_SCORE_ENTRIES) {
+    if (path->last == MURK_SCORE_ENTRIES - 1) {
         murk_score_spill(path);
     }
-    /* The sums of the cell will be needed at the end of the photon: load these
-     * sums in advance. */
-    __builtin_prefetch(&path->cell[cell], 1);
-    path->entry[path->n_entries++] = (murk_score_entry){value, cell};
+    ++path->last;
+    path->value[path->last] = value;
+    path->cell[path->last] = cell;
 }
 
 #endif

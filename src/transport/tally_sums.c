@@ -14,6 +14,9 @@
  * other, because with so many sums threads seldom meet. */
 #define COPIES_BYTES 64e6
 
+/* Bytes of a line of the cache of most processors. */
+#define CACHE_LINE 64
+
 /* Bytes of a voxel of one band during writing: the float, the place in a tree
  * of voxels, and twice the bytes of the file. */
 #define WRITTEN_BYTES 16
@@ -47,7 +50,8 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
     const double lists = (double)scorers_of(threads) * MURK_SCORE_PATHS *
-                         MURK_SCORE_ENTRIES * sizeof(murk_score_entry);
+                         MURK_SCORE_STRIDE *
+                         (sizeof(double) + sizeof(uint32_t));
     return sizeof(murk_tallies) + lists + cells * (sums + scratch) +
            largest_grid * bands * WRITTEN_BYTES;
 }
@@ -99,6 +103,11 @@ static void prepare(murk_tallies *t, const murk_tally_desc *descs,
         t->desc[i] = *d;
         t->first[i] = first;
         t->cells += murk_tally_cells(d);
+        /* A segment crosses a plane or a sphere once, and each face of a grid
+         * at most once. */
+        t->entries_max += d->type == MURK_TALLY_GRID
+                              ? d->size[0] + d->size[1] + d->size[2]
+                              : 1;
         if (d->type == MURK_TALLY_PLANE) {
             t->plane[t->planes++] = plane_of(d, box, first);
         } else if (d->type == MURK_TALLY_GRID) {
@@ -113,24 +122,40 @@ static void prepare(murk_tallies *t, const murk_tally_desc *descs,
     }
 }
 
+static bool is_whole(const murk_scorer *s)
+{
+    return s && s->sides && s->values && s->cells && s->sum && s->touched;
+}
+
+static void begin_lists(murk_scorer *s, size_t planes)
+{
+    for (size_t i = 0; i < MURK_SCORE_PATHS; ++i) {
+        murk_score_path *const path = &s->path[i];
+        *path = (murk_score_path){.scorer = s,
+                                  .side = s->sides + i * (planes + 1),
+                                  .value = s->values + i * MURK_SCORE_STRIDE,
+                                  .cell = s->cells + i * MURK_SCORE_STRIDE};
+        path->value[0] = 0;
+        path->cell[0] = MURK_SCORE_NO_CELL;
+    }
+}
+
 static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
 {
     murk_scorer *s = calloc(1, sizeof *s);
     if (s) {
         s->tallies = t;
         s->sides = calloc(MURK_SCORE_PATHS * (t->planes + 1), sizeof *s->sides);
-        s->entries =
-            malloc(MURK_SCORE_PATHS * MURK_SCORE_ENTRIES * sizeof *s->entries);
-        s->value = calloc(t->cells, sizeof *s->value);
-        s->touched = malloc(t->cells * sizeof *s->touched);
+        s->values =
+            malloc(MURK_SCORE_PATHS * MURK_SCORE_STRIDE * sizeof *s->values);
+        s->cells =
+            malloc(MURK_SCORE_PATHS * MURK_SCORE_STRIDE * sizeof *s->cells);
+        s->sum = calloc(t->cells, sizeof *s->sum);
+        s->touched = malloc((t->cells + 1) * sizeof *s->touched);
         s->is_alone = t->copies == t->scorers;
-        s->copy = t->cell + number % t->copies * t->channels * t->cells;
-        for (size_t i = 0; s->sides && s->entries && i < MURK_SCORE_PATHS;
-             ++i) {
-            s->path[i] =
-                (murk_score_path){.scorer = s,
-                                  .side = s->sides + i * (t->planes + 1),
-                                  .entry = s->entries + i * MURK_SCORE_ENTRIES};
+        s->copy = t->bin + number % t->copies * t->channels * t->cells;
+        if (is_whole(s)) {
+            begin_lists(s, t->planes);
         }
     }
     return s;
@@ -142,12 +167,19 @@ static bool provide(murk_tallies *t, unsigned threads)
 {
     t->scorers = scorers_of(threads);
     t->copies = copies_of((double)t->cells, t->channels, threads);
-    t->cell = calloc(t->copies * t->channels * t->cells, sizeof *t->cell);
+    /* Two bins share a cache line, and none lies in two. */
+    const size_t bytes =
+        t->copies * t->channels * t->cells * sizeof(murk_tally_bin);
+    t->memory = calloc(bytes + CACHE_LINE, 1);
+    if (t->memory) {
+        const size_t off = (uintptr_t)t->memory % CACHE_LINE;
+        t->bin = (murk_tally_bin *)((char *)t->memory + CACHE_LINE - off);
+    }
     t->scorer = calloc(t->scorers, sizeof *t->scorer);
-    bool has_all = t->cell && t->scorer;
+    bool has_all = t->bin && t->scorer;
     for (size_t i = 0; has_all && i < t->scorers; ++i) {
-        murk_scorer *s = t->scorer[i] = scorer_made(t, i);
-        has_all = s && s->sides && s->entries && s->value && s->touched;
+        t->scorer[i] = scorer_made(t, i);
+        has_all = is_whole(t->scorer[i]);
     }
     return has_all;
 }
@@ -206,14 +238,15 @@ void murk_tallies_destroy(murk_tallies *t)
     for (size_t i = 0; t->scorer && i < t->scorers; ++i) {
         if (t->scorer[i]) {
             free(t->scorer[i]->sides);
-            free(t->scorer[i]->entries);
-            free(t->scorer[i]->value);
+            free(t->scorer[i]->values);
+            free(t->scorer[i]->cells);
+            free(t->scorer[i]->sum);
             free(t->scorer[i]->touched);
             free(t->scorer[i]);
         }
     }
     free(t->scorer);
-    free(t->cell);
+    free(t->memory);
     free(t);
 }
 
@@ -273,8 +306,8 @@ murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
         murk_wide sum = 0, squares = 0;
         for (size_t copy = 0; copy < t->copies; ++copy) {
             const murk_tally_bin *from =
-                &t->cell[(copy * t->channels + c) * t->cells + t->first[tally] +
-                         cell];
+                &t->bin[(copy * t->channels + c) * t->cells + t->first[tally] +
+                        cell];
             sum += murk_wide_read(&from->sum);
             squares += murk_wide_read(&from->squares);
         }

@@ -37,10 +37,14 @@ static inline murk_wide murk_wide_read(const murk_wide_sum *sum)
  * fast. */
 static inline void murk_wide_add_alone(murk_wide_sum *sum, murk_wide x)
 {
-    const murk_wide all = murk_wide_read(sum) + x;
-    atomic_store_explicit(&sum->low, (uint64_t)all, memory_order_relaxed);
-    atomic_store_explicit(&sum->high, (uint64_t)(all >> 64),
-                          memory_order_relaxed);
+    const uint64_t before =
+        atomic_load_explicit(&sum->low, memory_order_relaxed);
+    const uint64_t low = before + (uint64_t)x;
+    const uint64_t high =
+        atomic_load_explicit(&sum->high, memory_order_relaxed) +
+        (uint64_t)(x >> 64) + (low < before);
+    atomic_store_explicit(&sum->low, low, memory_order_relaxed);
+    atomic_store_explicit(&sum->high, high, memory_order_relaxed);
 }
 
 static inline double murk_wide_value(murk_wide x)

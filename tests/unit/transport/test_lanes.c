@@ -73,7 +73,11 @@ static const murk_tally_desc descs[] = {{.name = "grid",
                                         {.name = "ball",
                                          .type = MURK_TALLY_SPHERE,
                                          .center = {2, 2, 1},
-                                         .radius_m = 1}};
+                                         .radius_m = 1},
+                                        {.name = "part",
+                                         .type = MURK_TALLY_GRID,
+                                         .box = {{1, 1.5, 0.5}, {3, 2.5, 3}},
+                                         .size = {3, 2, 9}}};
 
 #define DESCS (sizeof descs / sizeof *descs)
 
