@@ -45,10 +45,11 @@
 
 /* The segment between two points, shortened by leave_m at either end and
  * clipped to the scene, relative to the anchor; false if nothing is left of the
- * segment, or if Embree cannot trace it. */
+ * segment, or if Embree cannot trace it. is_from_inside: `from` is within
+ * s->reach, which many segments from one point need not find out again. */
 static INTO_COPIES bool segment_between(const murk_surfaces *s, murk_vec3 from,
-                                        murk_vec3 to, murk_vec3 *origin,
-                                        murk_vec3 *along)
+                                        bool is_from_inside, murk_vec3 to,
+                                        murk_vec3 *origin, murk_vec3 *along)
 {
     *origin = murk_sub(from, s->soup.anchor);
     *along = murk_sub(to, from);
@@ -59,14 +60,21 @@ static INTO_COPIES bool segment_between(const murk_surfaces *s, murk_vec3 from,
         return false;
     }
     const murk_vec3 end = murk_add(*origin, *along);
-    if ((!murk_box_contains(&s->reach, *origin) ||
-         !murk_box_contains(&s->reach, end)) &&
+    const bool is_inside = is_from_inside && murk_box_contains(&s->reach, end);
+    if (!is_inside &&
         !murk_box_clip(&s->reach, *origin, *along, &first, &last)) {
         return false;
     }
     *origin = murk_along(*origin, first, *along);
     *along = murk_scale(last - first, *along);
-    return murk_ray_is_sound(*origin, *along);
+    /* Embree can trace any segment inside of most scenes. */
+    return (is_inside && s->is_reach_sound) ||
+           murk_ray_is_sound(*origin, *along);
+}
+
+static INTO_COPIES bool is_inside_reach(const murk_surfaces *s, murk_vec3 point)
+{
+    return murk_box_contains(&s->reach, murk_sub(point, s->soup.anchor));
 }
 
 /* A query to Embree, which also reports an occluding triangle. */
@@ -85,13 +93,16 @@ static void record_occluder(const struct RTCFilterFunctionNArguments *args)
     line->primitive = hit->primID;
 }
 
-/* Asks Embree. The ray starts at `to`, the common end of many sightlines. */
+/* Asks Embree. The ray starts at `to`, the common end of many sightlines;
+ * is_to_inside: `to` is within s->reach. */
 static INTO_COPIES bool is_blocked(const murk_surfaces *s, sightline *line,
-                                   murk_vec3 from, murk_vec3 to, unsigned mask)
+                                   murk_vec3 from, murk_vec3 to,
+                                   bool is_to_inside, unsigned mask)
 {
     murk_ray_context *context = &line->context;
     line->geometry = RTC_INVALID_GEOMETRY_ID;
-    if (!segment_between(s, to, from, &context->origin, &context->direction)) {
+    if (!segment_between(s, to, is_to_inside, from, &context->origin,
+                         &context->direction)) {
         return false;
     }
     murk_ray_set(&line->ray, context->origin, context->direction, 1, mask);
@@ -108,7 +119,7 @@ bool murk_surfaces_blocked(const murk_surfaces *s, murk_vec3 from, murk_vec3 to,
     }
     sightline line;
     murk_embree_context_init(&line.context.embree);
-    return is_blocked(s, &line, from, to,
+    return is_blocked(s, &line, from, to, is_inside_reach(s, to),
                       through_sheets ? MURK_MASK_BLOCKS : MURK_MASK_ALL);
 }
 
@@ -257,7 +268,7 @@ void murk_surfaces_blocked_many(const murk_surfaces *s, const murk_vec3 *from,
     cache.last_occluder = SIZE_MAX;
     cache.eye = murk_sub(to, s->soup.anchor);
     cache.farthest_m = murk_length(murk_sub(s->reach.max, s->reach.min));
-    const bool may_know = murk_box_contains(&s->reach, cache.eye);
+    const bool is_to_inside = is_inside_reach(s, to);
     sightline line;
     murk_embree_context_init(&line.context.embree);
     for (size_t i = 0; i < n; ++i) {
@@ -268,8 +279,9 @@ void murk_surfaces_blocked_many(const murk_surfaces *s, const murk_vec3 *from,
             blocked[i] = true;
             continue;
         }
-        blocked[i] = s->scene && is_blocked(s, &line, from[i], to, mask);
-        if (blocked[i] && may_know) {
+        blocked[i] =
+            s->scene && is_blocked(s, &line, from[i], to, is_to_inside, mask);
+        if (blocked[i] && is_to_inside) {
             cache_occluder(&cache, s, &line);
         }
     }

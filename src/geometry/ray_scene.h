@@ -49,7 +49,8 @@ struct murk_surfaces {
     double *material_area_m2; /* [n_materials] */
     double area_m2;
     double unit_m, leave_m;
-    murk_box reach; /* the bounding box of the soup, enlarged by leave_m */
+    murk_box reach;      /* the bounding box of the soup, enlarged by leave_m */
+    bool is_reach_sound; /* Embree can trace from any point of it to another */
     murk_sheet_planes sheet_planes;
     RTCDevice device;
     RTCScene scene; /* NULL if the scene is empty */

@@ -73,10 +73,9 @@ murk_sheet_planes murk_sheet_planes_of(const murk_soup *soup, double unit_m)
  * for certain too far from the box of the plane's sheets. height_a and height_b
  * are the heights of the points above the plane. */
 static bool passes_beside(const murk_box *box, murk_vec3 a, murk_vec3 along,
-                          double length, double height_a, double height_b,
-                          double margin)
+                          double height_a, double height_b, double margin)
 {
-    const double down = height_a - height_b;
+    const double down = height_a - height_b, length = murk_length(along);
     const murk_vec3 x = murk_along(a, height_a / down, along);
     const double far = margin * (1 + length / fabs(down));
     return x.x < box->min.x - far || x.x > box->max.x + far ||
@@ -87,7 +86,7 @@ static bool passes_beside(const murk_box *box, murk_vec3 a, murk_vec3 along,
 /* False if the segment from `a`, which is relative to the anchor, for certain
  * meets no sheet. */
 static bool may_meet_sheets(const murk_surfaces *s, murk_vec3 a,
-                            murk_vec3 along, double length)
+                            murk_vec3 along)
 {
     const murk_sheet_planes *planes = &s->sheet_planes;
     const murk_vec3 b = murk_add(a, along);
@@ -103,8 +102,8 @@ static bool may_meet_sheets(const murk_surfaces *s, murk_vec3 a,
                                 planes->z[k] * b.z + planes->offset[k];
         const bool is_off = (height_a > margin && height_b > margin) ||
                             (height_a < -margin && height_b < -margin);
-        if (!is_off && !passes_beside(&planes->box[k], a, along, length,
-                                      height_a, height_b, margin)) {
+        if (!is_off && !passes_beside(&planes->box[k], a, along, height_a,
+                                      height_b, margin)) {
             return true;
         }
     }
@@ -120,10 +119,10 @@ double murk_surfaces_sheet_transmittance(const murk_surfaces *s, murk_vec3 from,
         return 1;
     }
     const murk_vec3 along = murk_sub(to, from);
-    const double length = murk_length(along);
-    if (!may_meet_sheets(s, murk_sub(from, soup->anchor), along, length)) {
+    if (!may_meet_sheets(s, murk_sub(from, soup->anchor), along)) {
         return 1;
     }
+    const double length = murk_length(along);
     const murk_vec3 direction = murk_scale(1 / length, along);
     murk_walk w;
     if (!murk_walk_begin(&w, s, from, direction, length,

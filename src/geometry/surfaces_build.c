@@ -33,6 +33,9 @@ static void measure(murk_surfaces *s)
     const murk_vec3 margin = murk_vec(s->leave_m, s->leave_m, s->leave_m);
     s->reach = (murk_box){murk_sub(soup->box.min, margin),
                           murk_add(soup->box.max, margin)};
+    /* Half of the limit, so that differences of points are below it, too. */
+    s->is_reach_sound =
+        murk_box_largest_coordinate(&s->reach) < MURK_RAY_MAX_M / 2;
 }
 
 static murk_status prepare(murk_surfaces *s, const murk_surface_desc *surfaces,
