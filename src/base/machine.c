@@ -3,8 +3,11 @@
 #include "base/machine.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 double murk_machine_memory_bytes(void)
 {
@@ -32,4 +35,19 @@ double murk_machine_peak_bytes(void)
     struct rusage usage;
     return getrusage(RUSAGE_SELF, &usage) == 0 ? (double)usage.ru_maxrss * 1024
                                                : NAN;
+}
+
+void murk_machine_drop(void *memory, size_t bytes)
+{
+#ifdef MADV_DONTNEED
+    const uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE);
+    const uintptr_t first = ((uintptr_t)memory + page - 1) / page * page;
+    const uintptr_t end = ((uintptr_t)memory + bytes) / page * page;
+    if (memory && first < end) {
+        (void)madvise((void *)first, end - first, MADV_DONTNEED);
+    }
+#else
+    (void)memory;
+    (void)bytes;
+#endif
 }

@@ -3,6 +3,8 @@
 #ifndef MURK_BASE_MACHINE_H
 #define MURK_BASE_MACHINE_H
 
+#include <stddef.h>
+
 /* The memory that is available without swapping [bytes]: the smaller of
  * MemAvailable of /proc/meminfo and the limit on the address space of this
  * process. INFINITY if there is neither. */
@@ -11,5 +13,10 @@ double murk_machine_memory_bytes(void);
 /* The largest resident memory of this process so far [bytes]; NAN if unknown.
  */
 double murk_machine_peak_bytes(void);
+
+/* Gives the pages that lie wholly within [memory, memory + bytes) back to the
+ * machine. The block, from malloc(), stays allocated, and its content is lost.
+ * Without effect where the operating system has no such call. */
+void murk_machine_drop(void *memory, size_t bytes);
 
 #endif

@@ -1,4 +1,4 @@
-/* Comparisons for qsort() and bsearch(). */
+/* Comparisons for qsort() and bsearch(), and a sort that needs no memory. */
 #ifndef MURK_BASE_SORT_H
 #define MURK_BASE_SORT_H
 
@@ -21,5 +21,8 @@ MURK_BY(size, size_t)
 MURK_BY(uint32, uint32_t)
 MURK_BY(uint64, uint64_t)
 #undef MURK_BY
+
+/* Sorts key[n] in ascending order, in place. */
+void murk_sort_uint64(uint64_t *key, size_t n);
 
 #endif

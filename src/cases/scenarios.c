@@ -164,6 +164,7 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     j->problem.is_reweighed = true;
     j->problem.get_row = get_row;
     j->problem.get_part = get_part;
+    j->problem.rest = NULL;
     j->problem.context = j;
     murk_status status = MURK_OK;
     if (j->problem.photons > UINT32_MAX) {

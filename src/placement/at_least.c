@@ -56,12 +56,21 @@ static void binary_row(void *context, unsigned worker, size_t candidate,
     entries->clarity = NULL;
 }
 
+static void rest(void *context)
+{
+    const murk_at_least *p = context;
+    if (p->of->rest) {
+        p->of->rest(p->of->context);
+    }
+}
+
 void murk_at_least_init(murk_at_least *out, const murk_problem *of,
                         unsigned at_least)
 {
     *out = (murk_at_least){.problem = *of, .of = of};
     out->problem.get_row = binary_row;
     out->problem.get_part = NULL;
+    out->problem.rest = rest;
     out->problem.context = out;
     out->problem.combining = MURK_COMBINE_CLEAREST;
     out->problem.redundancy = at_least;

@@ -41,7 +41,7 @@ static bool assign_slots(murk_layout *out, const uint32_t *weight,
     for (size_t i = 0; i < n; ++i) {
         key[i] = (uint64_t)weight[i] << 32 | i;
     }
-    qsort(key, n, sizeof *key, murk_by_uint64);
+    murk_sort_uint64(key, n);
     for (size_t k = 1; k < n; ++k) {
         distinct += key[k] >> 32 != key[k - 1] >> 32;
     }

@@ -116,6 +116,9 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
     murk_progress_begin("sense", problem->candidates, "candidates");
     murk_pool_run_workers(problem->threads, problem->candidates, fill_row, &f);
     murk_progress_end();
+    if (problem->rest) {
+        problem->rest(problem->context);
+    }
     /* Refuse an incomplete matrix. */
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -190,6 +193,7 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         uint64_t row_bytes = matrix->memory_bytes - sizeof *matrix;
         status = murk_merge(&matrix->layout, matrix->row, problem, hash,
                             merging == MURK_MERGE_ALWAYS, &row_bytes, err);
+        hash = NULL; /* murk_merge() has freed it */
         matrix->memory_bytes = sizeof *matrix + (size_t)row_bytes;
     }
     if (status) {

@@ -9,7 +9,6 @@
 #include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/pool.h"
-#include "base/sort.h"
 #include "base/tally.h"
 
 #include <stdlib.h>
@@ -48,12 +47,6 @@ void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
     }
 }
 
-/* Sort key of a photon. */
-typedef struct hashed_photon {
-    uint64_t hash;
-    uint32_t weight, photon;
-} hashed_photon;
-
 /* Scratch arrays of one thread. */
 typedef struct merge_scratch {
     uint32_t *group_count; /* [groups] photons of the group met in the row */
@@ -66,12 +59,12 @@ typedef struct merging {
     murk_layout *old; /* layout of the given rows */
     murk_row *row;    /* [candidates] */
     size_t candidates, photons, groups, representatives;
-    uint32_t *group;  /* [photons] group of each photon */
+    uint32_t *group;  /* [slots] group of the photon in each slot of the old
+                       * layout */
     uint32_t *size;   /* [groups] photons in each group */
-    uint32_t *number; /* [photons] index among the remaining photons, or
-                         MERGED_AWAY */
+    uint32_t *number; /* [slots] index of the photon in the slot among the
+                         remaining photons, or MERGED_AWAY */
     uint32_t *weight; /* [representatives] weights of the remaining photons */
-    uint32_t *photon; /* [slots] photon of each slot of the old layout */
     murk_layout layout;
     merge_scratch *scratch; /* [threads] */
     unsigned threads;
@@ -79,71 +72,117 @@ typedef struct merging {
     murk_arena arena;
 } merging;
 
-static int by_hash(const void *a, const void *b)
+/* The first photon of each group, in a hash table with open addressing and
+ * linear probing (Knuth, The Art of Computer Programming, vol. 3, 6.4). */
+typedef struct group_table {
+    const _Atomic uint64_t *hash;
+    const uint32_t *weight;
+    uint32_t *first; /* [places] NO_PHOTON: the place is empty */
+    size_t places;   /* a power of two */
+} group_table;
+
+#define NO_PHOTON    UINT32_MAX
+#define FIRST_PLACES 4096 /* a choice; the table grows */
+
+static bool table_init(group_table *table, size_t places)
 {
-    const hashed_photon *x = a, *y = b;
-    const int hash = MURK_ORDER(x->hash, y->hash);
-    const int weight = MURK_ORDER(x->weight, y->weight);
-    return hash ? hash : weight ? weight : MURK_ORDER(x->photon, y->photon);
+    table->first = malloc(places * sizeof *table->first);
+    table->places = places;
+    for (size_t k = 0; table->first && k < places; ++k) {
+        table->first[k] = NO_PHOTON;
+    }
+    return table->first;
 }
 
-/* Chooses the representatives of a group of n photons: one for each binary
- * digit 1 of n, with the weight times the power of two of that digit. A weight
- * that would exceed 32 bits is split. */
-static void choose_representatives(merging *m, const hashed_photon *first,
-                                   size_t n)
+/* The place of the group of a photon, or the empty place where it belongs. */
+static uint32_t *table_find(const group_table *table, uint32_t photon)
 {
-    size_t left = n;
-    for (size_t k = 0; k < n; ++k) {
-        m->number[first[k].photon] = MERGED_AWAY;
-    }
-    for (size_t k = 0; left > 0; ++k) {
-        uint64_t part = 1;
-        while (2 * part <= left &&
-               2 * part * first->weight <= (uint64_t)UINT32_MAX) {
-            part *= 2;
+    const uint64_t hash = atomic_load(&table->hash[photon]);
+    const uint32_t weight = table->weight[photon];
+    /* The weight moves photons of other weights and equal columns to other
+     * places; the factor is that of Fibonacci hashing. */
+    size_t k = (size_t)(hash + weight * UINT64_C(0x9e3779b97f4a7c15)) &
+               (table->places - 1);
+    for (;; k = (k + 1) & (table->places - 1)) {
+        const uint32_t first = table->first[k];
+        if (first == NO_PHOTON || (atomic_load(&table->hash[first]) == hash &&
+                                   table->weight[first] == weight)) {
+            return &table->first[k];
         }
-        m->number[first[k].photon] =
-            0; /* numbered later, in order of the photons */
-        m->weight[first[k].photon] = (uint32_t)(part * first->weight);
-        left -= part;
     }
 }
 
-static bool group_photons(merging *m, const murk_problem *problem,
-                          const _Atomic uint64_t *hash)
+/* Doubles the table. False when out of memory; the table is then as before. */
+static bool table_grow(group_table *table)
 {
-    hashed_photon *v = malloc((m->photons + 1) * sizeof *v);
-    if (!v) {
+    const group_table old = *table;
+    if (!table_init(table, 2 * old.places)) {
+        *table = old;
         return false;
     }
-    for (size_t i = 0; i < m->photons; ++i) {
-        v[i] = (hashed_photon){atomic_load(&hash[i]), problem->weight[i],
-                               (uint32_t)i};
-    }
-    /* Runs of equal hash and weight are the groups. */
-    qsort(v, m->photons, sizeof *v, by_hash);
-    for (size_t i = 0; i < m->photons;) {
-        size_t end = i;
-        for (; end < m->photons && v[end].hash == v[i].hash &&
-               v[end].weight == v[i].weight;
-             ++end) {
-            m->group[v[end].photon] = (uint32_t)m->groups;
-        }
-        m->size[m->groups++] = (uint32_t)(end - i);
-        choose_representatives(m, v + i, end - i);
-        i = end;
-    }
-    free(v);
-    /* Number the representatives. */
-    for (size_t i = 0; i < m->photons; ++i) {
-        if (m->number[i] != MERGED_AWAY) {
-            m->weight[m->representatives] =
-                m->weight[i]; /* representatives <= i, so no weight is
-                                 overwritten before it is read */
-            m->number[i] = (uint32_t)m->representatives++;
+    for (size_t k = 0; k < old.places; ++k) {
+        if (old.first[k] != NO_PHOTON) {
+            *table_find(table, old.first[k]) = old.first[k];
         }
     }
+    free(old.first);
+    return true;
+}
+
+/* Numbers the groups, photons of equal hash and weight, in the order of their
+ * first photons, and counts the photons of each. False when out of memory. */
+static bool find_groups(merging *m, const murk_problem *problem,
+                        const _Atomic uint64_t *hash)
+{
+    group_table table = {.hash = hash, .weight = problem->weight};
+    bool has_memory = table_init(&table, FIRST_PLACES);
+    for (uint32_t i = 0; has_memory && i < m->photons; ++i) {
+        uint32_t *first = table_find(&table, i);
+        if (*first == NO_PHOTON) {
+            *first = i;
+            m->group[murk_layout_slot(m->old, i)] = (uint32_t)m->groups++;
+            /* At most three places in four are taken. */
+            has_memory =
+                4 * m->groups <= 3 * table.places || table_grow(&table);
+        } else {
+            m->group[murk_layout_slot(m->old, i)] =
+                m->group[murk_layout_slot(m->old, *first)];
+        }
+        ++m->size[m->group[murk_layout_slot(m->old, i)]];
+    }
+    free(table.first);
+    return has_memory;
+}
+
+/* Chooses and numbers the representatives of each group of n photons, the first
+ * ones: one for each binary digit 1 of n, with the weight times the power of
+ * two of that digit, the largest first. A weight that would exceed 32 bits is
+ * split. False when out of memory. */
+static bool choose_representatives(merging *m, const murk_problem *problem)
+{
+    uint32_t *left = malloc(m->groups * sizeof *left + 1);
+    if (!left) {
+        return false;
+    }
+    memcpy(left, m->size, m->groups * sizeof *left);
+    /* The first photons of each group stay, until they stand for all of it. */
+    for (uint32_t i = 0; i < m->photons; ++i) {
+        const size_t slot = murk_layout_slot(m->old, i);
+        const uint32_t rest = left[m->group[slot]];
+        const uint64_t weight = problem->weight[i];
+        uint64_t part = 1;
+        m->number[slot] = MERGED_AWAY;
+        if (rest == 0) {
+            continue;
+        }
+        while (2 * part <= rest && 2 * part * weight <= (uint64_t)UINT32_MAX) {
+            part *= 2;
+        }
+        m->weight[m->representatives] = (uint32_t)(part * weight);
+        m->number[slot] = (uint32_t)m->representatives++;
+        left[m->group[slot]] -= (uint32_t)part;
+    }
+    free(left);
     return true;
 }
 
@@ -177,7 +216,7 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
             if (p == 0) {
                 continue;
             }
-            const uint32_t g = m->group[m->photon[slot]];
+            const uint32_t g = m->group[slot];
             if (pass == 0) {
                 if (group_count[g]++ > 0 && clarity[g] != p) {
                     murk_tally_add(&m->mismatches, 1);
@@ -205,8 +244,7 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     uint16_t p;
     for (murk_row_walk walk = murk_row_begin(layout, row);
          murk_row_next(&walk, &slot, &p);) {
-        const uint32_t number =
-            p > 0 ? m->number[m->photon[slot]] : MERGED_AWAY;
+        const uint32_t number = p > 0 ? m->number[slot] : MERGED_AWAY;
         if (number != MERGED_AWAY) {
             seen[n] = number;
             packed[n++] = p;
@@ -236,19 +274,12 @@ static bool merging_init(merging *m, murk_layout *layout, murk_row *row,
                    .candidates = problem->candidates,
                    .photons = n,
                    .threads = problem->threads};
-    m->group = murk_arena_array(&m->arena, n, sizeof *m->group);
+    m->group = murk_arena_array(&m->arena, layout->slots, sizeof *m->group);
     m->size = murk_arena_array(&m->arena, n, sizeof *m->size);
-    m->number = murk_arena_array(&m->arena, n, sizeof *m->number);
+    m->number = murk_arena_array(&m->arena, layout->slots, sizeof *m->number);
     m->weight = murk_arena_array(&m->arena, n, sizeof *m->weight);
-    m->photon = murk_arena_array(&m->arena, layout->slots, sizeof *m->photon);
     m->scratch = murk_arena_array(&m->arena, m->threads, sizeof *m->scratch);
-    if (m->arena.is_short) {
-        return false;
-    }
-    for (uint32_t i = 0; i < n; ++i) {
-        m->photon[murk_layout_slot(layout, i)] = i;
-    }
-    return true;
+    return !m->arena.is_short;
 }
 
 /* Arrays whose sizes are known once the photons are grouped. */
@@ -283,15 +314,17 @@ static void rewrite(merging *m)
 }
 
 murk_status murk_merge(murk_layout *layout, murk_row *row,
-                       const murk_problem *problem,
-                       const _Atomic uint64_t *hash, bool is_forced,
-                       uint64_t *row_bytes, murk_error *err)
+                       const murk_problem *problem, _Atomic uint64_t *hash,
+                       bool is_forced, uint64_t *row_bytes, murk_error *err)
 {
     merging m;
     murk_status status = MURK_OK;
     /* Group the photons and lay out the representatives. */
     bool has_memory = merging_init(&m, layout, row, problem) &&
-                      group_photons(&m, problem, hash) && allocate_scratch(&m);
+                      find_groups(&m, problem, hash);
+    free(hash);
+    has_memory = has_memory && choose_representatives(&m, problem) &&
+                 allocate_scratch(&m);
     if (has_memory) {
         murk_problem fewer = *problem;
         fewer.photons = m.representatives;

@@ -22,11 +22,12 @@ void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
 /* Merges photons in layout and row[candidates] if the rows become so much
  * shorter that merging pays, or always with is_forced. Equal hashes are
  * verified, row by row; if columns with one hash differ, nothing is merged.
+ * Takes ownership of hash (from malloc()) and frees it as soon as photons are
+ * grouped.
  * *row_bytes is set to the new size of the rows if photons were merged. Fails
  * with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_merge(murk_layout *layout, murk_row *row,
-                       const murk_problem *problem,
-                       const _Atomic uint64_t *hash, bool is_forced,
-                       uint64_t *row_bytes, murk_error *err);
+                       const murk_problem *problem, _Atomic uint64_t *hash,
+                       bool is_forced, uint64_t *row_bytes, murk_error *err);
 
 #endif

@@ -80,6 +80,10 @@ typedef struct murk_problem {
      * over the row is below need->gain_min. NULL: there is no such function. */
     bool (*get_part)(void *context, unsigned worker, size_t candidate,
                      const murk_row_need *need, murk_sparse_row *row);
+    /* Called when no further row is asked for soon: gives back memory that only
+     * rows need. Rows may be asked for afterwards. NULL: there is nothing to
+     * give back. */
+    void (*rest)(void *context);
     void *context;
     unsigned threads;
     bool is_reweighed; /* the matrix will get other weights

@@ -133,6 +133,10 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
                               murk_error *err);
 void murk_sight_destroy(murk_sight *sight); /* accepts NULL */
 
+/* Gives the memory of the scratch buffers back to the machine until the next
+ * row is computed. The row of every worker becomes invalid. */
+void murk_sight_rest(murk_sight *sight);
+
 /* Hands the maps to the sight, which destroys them in murk_sight_destroy().
  * They are the maps of the description. */
 void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
@@ -255,11 +259,11 @@ typedef struct murk_coverage_result {
  * ratio estimator over all emitted photons, each with all records in both maps;
  * for `balanced` the residuals of the two ratios are added photon by photon,
  * because the records of one path are correlated. Fails with MURK_BAD_VALUE if
- * a sensor is outside the domain, with MURK_NO_MEMORY (some 28 bytes a photon,
- * 6 more for each further entry that counts, and the rows of 4 sensors for each
- * thread) or MURK_INTERRUPTED. With detection probabilities the row of each
- * sensor is computed twice. After success call murk_coverage_result_release();
- * after a failure *out is unchanged. */
+ * a sensor is outside the domain, with MURK_NO_MEMORY (some 20 bytes a photon,
+ * 6 more for each further entry that counts) or MURK_INTERRUPTED. With
+ * detection probabilities the row of each sensor is computed twice. After
+ * success call murk_coverage_result_release(); after a failure *out is
+ * unchanged. */
 murk_status murk_coverage_result_measure(murk_coverage_result *out,
                                          murk_sight *sight,
                                          const murk_pose *pose, size_t n,

@@ -2,6 +2,7 @@
  * by acceptance angle, refracting boundaries, weights, regions of interest and
  * detection by power, and allocates the scratch buffers of the workers. Rows
  * are computed in sight_row.c, coverage in coverage.c. */
+#include "base/machine.h"
 #include "medium/rescaled.h"
 #include "sensing/sight_parts.h"
 #include "sensing/weights.h"
@@ -115,13 +116,18 @@ static murk_status no_memory(murk_error *err)
     return murk_no_memory(err, "", "for a sight");
 }
 
+/* The largest number of photons that a query finds. Photons found through
+ * several images are distinguished only after the query, so that twice the
+ * space is needed in a periodic domain. */
+static size_t found_max(const murk_sight *sight)
+{
+    return sight->photons * (sight->desc.domain.is_periodic ? 2 : 1);
+}
+
 static murk_status allocate(murk_sight *sight, murk_error *err)
 {
     const murk_sight_desc *desc = &sight->desc;
     const size_t n = sight->photons;
-    /* Photons found through several images are distinguished only after the
-     * query, so the buffers need twice the space. */
-    const size_t found = n * (desc->domain.is_periodic ? 2 : 1);
     const bool attenuates = sight->has_media || sight->has_sheets ||
                             sight->interfaces || desc->power.radius_m > 0;
     const bool has_regions = desc->interest && desc->interest->n;
@@ -133,7 +139,7 @@ static murk_status allocate(murk_sight *sight, murk_error *err)
         sight->weight && sight->worker && (sight->regions || !has_regions);
     for (unsigned i = 0; has_memory && i < desc->threads; ++i) {
         murk_scratch *s = &sight->worker[i];
-        s->photon = malloc(found * sizeof *s->photon + 1);
+        s->photon = malloc(found_max(sight) * sizeof *s->photon + 1);
         s->clarity = attenuates ? malloc(n * sizeof *s->clarity + 1) : NULL;
         has_memory = s->photon && (s->clarity || !attenuates);
     }
@@ -272,6 +278,16 @@ void murk_sight_destroy(murk_sight *sight)
     free(sight);
 }
 
+void murk_sight_rest(murk_sight *sight)
+{
+    const size_t n = sight->photons;
+    for (unsigned i = 0; i < sight->desc.threads; ++i) {
+        const murk_scratch *s = &sight->worker[i];
+        murk_machine_drop(s->photon, found_max(sight) * sizeof *s->photon);
+        murk_machine_drop(s->clarity, s->clarity ? n * sizeof *s->clarity : 0);
+    }
+}
+
 void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
                          murk_photon_map *volume)
 {
@@ -297,6 +313,12 @@ static bool get_part(void *context, unsigned worker, size_t candidate,
     return murk_sight_part(p->sight, worker, &p->pose[candidate], need, out);
 }
 
+static void rest(void *context)
+{
+    const murk_sight_problem *p = context;
+    murk_sight_rest(p->sight);
+}
+
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_pose *pose, size_t n)
 {
@@ -307,6 +329,7 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                                   .weight = sight->weight,
                                   .get_row = get_row,
                                   .get_part = get_part,
+                                  .rest = rest,
                                   .context = out,
                                   .threads = sight->desc.threads,
                                   .combining = sight->desc.combining,

@@ -91,7 +91,6 @@ static void test_prints_are_checked(void)
     CHECK(murk_merge(&matrix->layout, matrix->row, &m->problem, hash, true,
                      &row_bytes, &err) == MURK_OK);
     CHECK(matrix->layout.photons == m->problem.photons);
-    free(hash);
     murk_matrix_destroy(matrix);
     made_up_destroy(m);
 }
