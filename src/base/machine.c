@@ -9,6 +9,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 double murk_machine_memory_bytes(void)
 {
     double bytes = INFINITY;
@@ -49,5 +53,12 @@ void murk_machine_drop(void *memory, size_t bytes)
 #else
     (void)memory;
     (void)bytes;
+#endif
+}
+
+void murk_machine_trim(void)
+{
+#ifdef __GLIBC__
+    (void)malloc_trim(0);
 #endif
 }

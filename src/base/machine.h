@@ -19,4 +19,8 @@ double murk_machine_peak_bytes(void);
  * Without effect where the operating system has no such call. */
 void murk_machine_drop(void *memory, size_t bytes);
 
+/* Gives memory that was freed, and that the C library keeps for later blocks,
+ * back to the machine. Without effect where the C library has no such call. */
+void murk_machine_trim(void);
+
 #endif

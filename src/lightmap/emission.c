@@ -32,7 +32,7 @@ static uint64_t wanted(const murk_emission *e)
 
 static uint64_t stored(const murk_emission *e)
 {
-    return e->buffers->surface.n + e->buffers->volume.n;
+    return e->buffers->stored;
 }
 
 static murk_trace trace_of(const murk_emission *e, uint64_t first,

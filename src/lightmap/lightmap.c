@@ -182,6 +182,8 @@ typedef struct streaming {
     void *context;
     const double *packet_w; /* NULL: records keep their share of a packet */
     int bands;
+    bool passes;       /* no record is kept */
+    double bytes_each; /* memory of the sink for each record, with `passes` */
 } streaming;
 
 /* A murk_record_batch_sink. */
@@ -239,6 +241,7 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
         return MURK_OK;
     }
     e->buffers->each = stream_batch;
+    e->buffers->passes = s->passes;
     e->buffers->each_context = s;
     if (!e->emit) {
         return MURK_OK;
@@ -266,6 +269,10 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         status = murk_ending_check(stage, stream, err);
     } else if (!status) {
         status = murk_lightmap_forecast(&forecast, stage, stream, threads, err);
+        if (s->passes) {
+            forecast.memory_bytes =
+                s->bytes_each * (forecast.surface + forecast.volume);
+        }
         if (!status) {
             status = check_forecast(&forecast, settings, err);
         }
@@ -334,6 +341,19 @@ murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
     streaming s = {
         .each = each, .context = context, .bands = stage->scene->bands};
     return trace_light(out, stage, 0, threads, &s, err);
+}
+
+murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
+                               uint32_t stream, unsigned threads,
+                               double bytes_each, murk_record_batch_sink each,
+                               void *context, murk_error *err)
+{
+    streaming s = {.each = each,
+                   .context = context,
+                   .bands = stage->scene->bands,
+                   .passes = true,
+                   .bytes_each = bytes_each};
+    return trace_light(out, stage, stream, threads, &s, err);
 }
 
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,

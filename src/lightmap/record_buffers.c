@@ -170,6 +170,7 @@ static bool append(murk_record_buffers *h, murk_record_list *buffer,
         const murk_photon *photon = &buffer->photon[i];
         fits = murk_record_list_put(
             murk_photon_is_volume(photon) ? &h->volume : &h->surface, photon);
+        h->stored += fits;
     }
     buffer->n = 0;
     return fits;
@@ -198,7 +199,11 @@ static murk_status hand_over(murk_record_buffers *h, size_t n_surface,
         .volume = h->volume.n ? h->volume.photon + n_volume : NULL,
         .n_surface = h->surface.n - n_surface,
         .n_volume = h->volume.n - n_volume};
-    return h->each(h->each_context, &batch, err);
+    const murk_status status = h->each(h->each_context, &batch, err);
+    if (h->passes) {
+        h->surface.n = h->volume.n = 0;
+    }
+    return status;
 }
 
 murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
@@ -210,7 +215,7 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
         if (!append(h, &h->buffer[b], last)) {
             return murk_no_memory(err, h->settings->where,
                                   "for more than %.3g stored photons",
-                                  (double)(h->surface.n + h->volume.n));
+                                  (double)h->stored);
         }
         const murk_status status = hand_over(h, n_surface, n_volume, last, err);
         if (status) {
@@ -218,7 +223,7 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
         }
     }
     /* The scene limits the number of records. */
-    if (h->surface.n + h->volume.n > h->settings->max_stored) {
+    if (h->stored > h->settings->max_stored) {
         return murk_fail(err, MURK_RUN_FAILED, h->settings->where,
                          "max_stored: more than %llu photons were stored",
                          (unsigned long long)h->settings->max_stored);

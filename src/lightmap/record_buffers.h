@@ -47,8 +47,10 @@ typedef struct murk_record_buffers {
                                        * each batch, in the order of events */
     murk_record_list surface, volume; /* all records gathered so far */
     uint64_t gathered;                /* batches gathered so far */
+    uint64_t stored;                  /* records gathered so far */
     murk_record_batch_sink each;      /* may be NULL */
     void *each_context;
+    bool passes; /* records are dropped after the sink has received them */
 } murk_record_buffers;
 
 /* The settings must outlive the result. NULL when out of memory. */
@@ -86,7 +88,7 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,
 /* Moves the records of this wave, whose last photon is `last`, to the lists of
  * surface and volume records, and drops the records of later photons. Fails if
  * the sink of batches fails, with MURK_NO_MEMORY, or with MURK_RUN_FAILED if
- * more than settings->max_stored records are stored. */
+ * more than settings->max_stored records are stored or passed. */
 murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
                                        uint64_t last, murk_error *err);
 

@@ -7,6 +7,7 @@
 #include "placement/matrix.h"
 
 #include "base/interrupt.h"
+#include "base/machine.h"
 #include "base/pool.h"
 #include "base/progress.h"
 #include "base/tally.h"
@@ -194,6 +195,7 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         status = murk_merge(&matrix->layout, matrix->row, problem, hash,
                             merging == MURK_MERGE_ALWAYS, &row_bytes, err);
         hash = NULL; /* murk_merge() has freed it */
+        murk_machine_trim();
         matrix->memory_bytes = sizeof *matrix + (size_t)row_bytes;
     }
     if (status) {

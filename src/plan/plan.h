@@ -90,6 +90,20 @@ murk_status murk_plan_trace_stream(murk_traced **out, const murk_stage *stage,
                                    uint32_t stream, unsigned threads,
                                    murk_error *err);
 
+/* True if coverage can be measured by photons that are not stored: without
+ * targets, and as murk_coverage_can_stream(). */
+bool murk_plan_can_stream(const murk_stage *stage);
+
+/* Measures the coverage of sensor[n] by the photons of a stream, which are
+ * tested while they are traced and not stored (sensing/coverage_stream.h).
+ * `expected`: about so many records will come. Adds the time to *trace_s. Fails
+ * as murk_plan_trace_stream() and murk_coverage_result_measure(). */
+murk_status murk_plan_measure_streamed(murk_coverage_result *out,
+                                       double *trace_s, const murk_stage *stage,
+                                       uint32_t stream, const murk_pose *sensor,
+                                       size_t n, size_t expected,
+                                       unsigned threads, murk_error *err);
+
 /* True if sensors cover other photons or targets in another stream; false if
  * the targets are a list, because a list is the same in all streams. */
 bool murk_plan_has_streams(const murk_scene_desc *scene);

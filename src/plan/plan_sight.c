@@ -4,6 +4,7 @@
 #include "plan/plan.h"
 
 #include "base/log.h"
+#include "sensing/coverage_stream.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -125,12 +126,10 @@ static murk_status create(murk_sight **out, const murk_stage *stage,
     return status;
 }
 
-/* Creates the sight onto photons or targets: with the weights, the regions of
- * interest, the redundancy, at_least and the settings of detection by power of
- * the scene. Warns of density estimates from few neighbours. */
-static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
-                              const murk_traced *traced, const seen_maps *maps,
-                              unsigned threads, murk_error *err)
+/* The description of the sight onto photons or targets: with the weights, the
+ * regions of interest, the redundancy and at_least of the scene. */
+static murk_sight_desc describe_onto(const murk_stage *stage,
+                                     const seen_maps *maps, unsigned threads)
 {
     const murk_scene_placement *settings = &stage->scene->placement;
     murk_sight_desc desc = describe(stage, maps, threads);
@@ -141,6 +140,16 @@ static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
     desc.combining = murk_combining_of(settings->detection);
     desc.redundancy = (unsigned)settings->redundancy;
     desc.at_least = (unsigned)murk_plan_at_least(stage->scene);
+    return desc;
+}
+
+/* Creates the sight onto photons or targets, with the settings of detection by
+ * power of the scene. Warns of density estimates from few neighbours. */
+static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
+                              const murk_traced *traced, const seen_maps *maps,
+                              unsigned threads, murk_error *err)
+{
+    murk_sight_desc desc = describe_onto(stage, maps, threads);
     desc.power = power_of(stage, traced);
     const murk_status status = create(out, stage, &desc, false, err);
     if (!status) {
@@ -205,4 +214,60 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
     murk_target_facts facts;
     return murk_plan_sight_and_targets(out, &facts, stage, traced, threads,
                                        err);
+}
+
+/* ---- photons that are not stored ---- */
+
+bool murk_plan_can_stream(const murk_stage *stage)
+{
+    const seen_maps none = {0};
+    murk_sight_desc desc = describe_onto(stage, &none, 1);
+    desc.power.radius_m = murk_plan_power_radius_m(stage);
+    return !stage->scene->placement.targets.given &&
+           murk_coverage_can_stream(&desc);
+}
+
+/* A murk_record_batch_sink. */
+static murk_status add_batch(void *context, const murk_record_batch *batch,
+                             murk_error *err)
+{
+    return murk_coverage_stream_add(context, batch->surface, batch->n_surface,
+                                    batch->volume, batch->n_volume, err);
+}
+
+murk_status murk_plan_measure_streamed(murk_coverage_result *out,
+                                       double *trace_s, const murk_stage *stage,
+                                       uint32_t stream, const murk_pose *sensor,
+                                       size_t n, size_t expected,
+                                       unsigned threads, murk_error *err)
+{
+    const seen_maps none = {0};
+    murk_sight_desc desc = describe_onto(stage, &none, threads);
+    murk_sensor_type *types = murk_poses_types(stage->scene);
+    murk_coverage_stream *coverage = NULL;
+    murk_traced *traced = NULL;
+    if (!types) {
+        return murk_no_memory(err, stage->scene->sensors.where,
+                              "for the sensors' types");
+    }
+    desc.type = types;
+    /* Test the photons while they are traced. */
+    murk_status status =
+        murk_coverage_stream_create(&coverage, &desc, sensor, n, expected, err);
+    if (!status) {
+        status = murk_lightmap_pass(&traced, stage, stream, threads,
+                                    murk_coverage_stream_bytes(desc.redundancy),
+                                    add_batch, coverage, err);
+    }
+    /* Sum up. With photons.emit records come in watts. */
+    if (!status) {
+        *trace_s += traced->trace_s;
+        status = murk_coverage_stream_end(
+            out, coverage, stage->scene->photons.emit ? NULL : traced->packet_w,
+            stage->scene->bands, traced->emitted, err);
+    }
+    murk_traced_destroy(traced);
+    murk_coverage_stream_destroy(coverage);
+    free(types);
+    return status;
 }

@@ -3,13 +3,16 @@
  * the doses of each photon (placement/dose.h). */
 #include "sensing/combined_rows.h"
 
+#include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 bool murk_combined_rows_init(murk_combined_rows *out, size_t photons,
                              murk_combining combining, size_t layers)
 {
     *out = (murk_combined_rows){.photons = photons,
                                 .layers = layers,
+                                .capacity = photons,
                                 .sensors =
                                     calloc(photons + 1, sizeof *out->sensors)};
     if (combining == MURK_COMBINE_INDEPENDENT) {
@@ -33,6 +36,52 @@ void murk_combined_rows_release(murk_combined_rows *combined)
     free(combined->dose);
     free(combined->doses);
     *combined = (murk_combined_rows){0};
+}
+
+/* Memory for n photons. False when out of memory; the arrays then have memory
+ * for v->capacity photons at least. */
+static bool resize(murk_combined_rows *v, size_t n)
+{
+    uint32_t *sensors = realloc(v->sensors, n * sizeof *sensors);
+    if (!sensors) {
+        return false;
+    }
+    v->sensors = sensors;
+    uint16_t *clarity =
+        realloc(v->clarity, n * (v->layers + 1) * sizeof *clarity);
+    if (!clarity) {
+        return false;
+    }
+    v->clarity = clarity;
+    uint32_t *clearest = realloc(v->clearest, n * v->layers * sizeof *clearest);
+    if (!clearest) {
+        return false;
+    }
+    v->clearest = clearest;
+    v->capacity = n;
+    return true;
+}
+
+bool murk_combined_rows_extend(murk_combined_rows *v, size_t photons)
+{
+    assert(!v->dose && photons >= v->photons);
+    const size_t layers = v->layers;
+    /* Grow by half, so that all photons are moved only a few times. */
+    if (photons > v->capacity) {
+        const size_t half_more = v->capacity + v->capacity / 2;
+        const size_t n = photons > half_more ? photons : half_more;
+        if (!resize(v, n)) {
+            return false;
+        }
+    }
+    const size_t first = v->photons, added = photons - first;
+    memset(v->sensors + first, 0, added * sizeof *v->sensors);
+    memset(v->clarity + first * (layers + 1), 0,
+           added * (layers + 1) * sizeof *v->clarity);
+    memset(v->clearest + first * layers, 0,
+           added * layers * sizeof *v->clearest);
+    v->photons = photons;
+    return true;
 }
 
 /* Inserts an entry among the `layers` + 1 largest ones of a photon, and drops

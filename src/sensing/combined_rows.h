@@ -8,6 +8,7 @@
 typedef struct murk_combined_rows {
     size_t photons, layers; /* number of photons; number of the largest entries
                                of a photon that add up to the value */
+    size_t capacity;        /* photons that the arrays have memory for */
     uint32_t *sensors;      /* [photons] number of sensors with an entry */
     uint16_t *clarity;      /* [photons][layers + 1] the largest entries of each
                                photon, in falling order */
@@ -25,6 +26,10 @@ typedef struct murk_combined_rows {
 bool murk_combined_rows_init(murk_combined_rows *out, size_t photons,
                              murk_combining combining, size_t layers);
 void murk_combined_rows_release(murk_combined_rows *combined);
+
+/* Adds photons without entries, so that there are `photons`; not for detection
+ * probabilities. False when out of memory; the photons are then as before. */
+bool murk_combined_rows_extend(murk_combined_rows *combined, size_t photons);
 
 /* Adds the row of one sensor. The caller adds each sensor once. Of equal
  * entries the one that was added first stands before the others. */

@@ -58,15 +58,6 @@ static murk_status check_map(const murk_photon_map *map, const char *name,
     return MURK_OK;
 }
 
-/* The largest of redundancy, at_least and 1: the sum of the weights times this
- * number has an upper limit (murk_photon_weights()). */
-static unsigned max_layers(const murk_sight_desc *desc)
-{
-    const unsigned maximum =
-        desc->redundancy > desc->at_least ? desc->redundancy : desc->at_least;
-    return maximum > 1 ? maximum : 1;
-}
-
 static murk_status check(const murk_sight_desc *desc, murk_error *err)
 {
     /* Sensor types. */
@@ -240,7 +231,7 @@ murk_status murk_sight_create(murk_sight **out, const murk_sight_desc *desc,
         find_regions(sight);
         status = murk_photon_weights(
             sight->weight, desc->surface_map, desc->volume_map, &desc->weights,
-            desc->interest, sight->regions, max_layers(desc),
+            desc->interest, sight->regions, murk_sight_layers_max(desc),
             desc->where ? desc->where : "", err);
     }
     if (!status && desc->power.radius_m > 0) {

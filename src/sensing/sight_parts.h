@@ -40,6 +40,15 @@ struct murk_sight {
     murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
 };
 
+/* The largest of redundancy, at_least and 1: the sum of the weights times this
+ * number has an upper limit (murk_photon_weights()). */
+static inline unsigned murk_sight_layers_max(const murk_sight_desc *desc)
+{
+    const unsigned maximum =
+        desc->redundancy > desc->at_least ? desc->redundancy : desc->at_least;
+    return maximum > 1 ? maximum : 1;
+}
+
 /* The clarity of a sightline with this transmittance (with detection by power:
  * with this detection probability), rounded to a whole number, MURK_CLEAR
  * for 1. */

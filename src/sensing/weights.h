@@ -17,4 +17,19 @@ murk_photon_weights(uint32_t *weight, const murk_photon_map *surface,
                     const murk_interest *interest, const uint64_t *regions,
                     unsigned combined, const char *where, murk_error *err);
 
+/* Number, sum and maximum of the powers of the photons of one map. */
+typedef struct murk_power_sum {
+    size_t n;
+    double sum, max;
+} murk_power_sum;
+
+void murk_power_sum_add(murk_power_sum *sum, double power_w);
+
+/* Sets the factor of each map, surface and volume, by which powers become
+ * weights: murk_photon_weights() in two steps. Fails in the same way. */
+murk_status murk_weight_factors(double factor[2], const murk_power_sum power[2],
+                                const murk_map_weights *maps, unsigned combined,
+                                const char *where, murk_error *err);
+uint32_t murk_weight_of(double power_w, double factor);
+
 #endif

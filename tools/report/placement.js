@@ -40,7 +40,7 @@ function numbers(plan, isMade) {
     ["candidates that were usable", amountOf("candidates.usable")],
     ["plans weighed", amountOf("placement.evaluations")],
     ["visibility queries", amountOf("placement.queries")],
-    ["queries that were not remembered", amountOf("placement.looks")],
+    ["rows of sightlines computed", amountOf("placement.looks")],
     ["shadow rays", amountOf("placement.shadow_rays")],
     ["what surfaces have in the coverage", shareOf("weights_used.surface")],
     ["what media have in the coverage", shareOf("weights_used.volume")],
