@@ -38,13 +38,28 @@ void murk_combined_rows_release(murk_combined_rows *combined)
     *combined = (murk_combined_rows){0};
 }
 
-/* Gives an array memory for n elements of `size` bytes. False when out of
- * memory. */
-static bool resize(void *array, size_t n, size_t size)
+/* Memory for n photons. False when out of memory; the arrays then have memory
+ * for v->capacity photons at least. */
+static bool resize(murk_combined_rows *v, size_t n)
 {
-    void **at = array, *grown = realloc(*at, n * size);
-    *at = grown ? grown : *at;
-    return grown;
+    uint32_t *sensors = realloc(v->sensors, n * sizeof *sensors);
+    if (!sensors) {
+        return false;
+    }
+    v->sensors = sensors;
+    uint16_t *clarity =
+        realloc(v->clarity, n * (v->layers + 1) * sizeof *clarity);
+    if (!clarity) {
+        return false;
+    }
+    v->clarity = clarity;
+    uint32_t *clearest = realloc(v->clearest, n * v->layers * sizeof *clearest);
+    if (!clearest) {
+        return false;
+    }
+    v->clearest = clearest;
+    v->capacity = n;
+    return true;
 }
 
 bool murk_combined_rows_extend(murk_combined_rows *v, size_t photons)
@@ -55,12 +70,9 @@ bool murk_combined_rows_extend(murk_combined_rows *v, size_t photons)
     if (photons > v->capacity) {
         const size_t half_more = v->capacity + v->capacity / 2;
         const size_t n = photons > half_more ? photons : half_more;
-        if (!resize(&v->sensors, n, sizeof *v->sensors) ||
-            !resize(&v->clarity, n * (layers + 1), sizeof *v->clarity) ||
-            !resize(&v->clearest, n * layers, sizeof *v->clearest)) {
+        if (!resize(v, n)) {
             return false;
         }
-        v->capacity = n;
     }
     const size_t first = v->photons, added = photons - first;
     memset(v->sensors + first, 0, added * sizeof *v->sensors);

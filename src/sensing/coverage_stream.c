@@ -112,6 +112,29 @@ static murk_status no_memory(const murk_coverage_stream *s, murk_error *err)
 
 /* ---- a chunk ---- */
 
+/* Memory for n photons in the list. False when out of memory; the list then has
+ * memory for s->capacity photons at least. */
+static bool resize(murk_coverage_stream *s, size_t n)
+{
+    float *power_w = realloc(s->list.power_w, n * sizeof *power_w);
+    if (!power_w) {
+        return false;
+    }
+    s->list.power_w = power_w;
+    uint8_t *light = realloc(s->list.light, n);
+    if (!light) {
+        return false;
+    }
+    s->list.light = light;
+    uint8_t *bits = realloc(s->list.bits, n);
+    if (!bits) {
+        return false;
+    }
+    s->list.bits = bits;
+    s->capacity = n;
+    return true;
+}
+
 /* Adds places for n photons to the list and to the combined rows. False when
  * out of memory. */
 static bool extend(murk_coverage_stream *s, size_t n)
@@ -120,16 +143,9 @@ static bool extend(murk_coverage_stream *s, size_t n)
     if (photons > s->capacity) {
         const size_t half_more = s->capacity + s->capacity / 2;
         const size_t all = photons > half_more ? photons : half_more;
-        float *power_w = realloc(s->list.power_w, all * sizeof *power_w);
-        s->list.power_w = power_w ? power_w : s->list.power_w;
-        uint8_t *light = realloc(s->list.light, all);
-        s->list.light = light ? light : s->list.light;
-        uint8_t *bits = realloc(s->list.bits, all);
-        s->list.bits = bits ? bits : s->list.bits;
-        if (!power_w || !light || !bits) {
+        if (!resize(s, all)) {
             return false;
         }
-        s->capacity = all;
     }
     return photons <= UINT32_MAX &&
            murk_combined_rows_extend(&s->covered.combined, photons);
