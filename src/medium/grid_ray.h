@@ -71,10 +71,8 @@ static inline bool murk_clip_axis(double low, double high, double origin,
     }
     const double a = (low - origin) * inverse;
     const double b = (high - origin) * inverse;
-    const double enter = inverse > 0 ? a : b;
-    const double leave = inverse > 0 ? b : a;
-    *t0 = *t0 > enter ? *t0 : enter;
-    *t1 = *t1 < leave ? *t1 : leave;
+    *t0 = murk_larger(*t0, murk_smaller(a, b));
+    *t1 = murk_smaller(*t1, murk_larger(a, b));
     return *t0 < *t1;
 }
 
@@ -171,8 +169,8 @@ static inline void murk_grid_ray_enter_block(murk_grid_ray *r)
     for (int axis = 0; axis < 3; ++axis) {
         r->block_first[axis] = r->at[axis] & ~7;
         r->in_block[axis] = r->at[axis] & 7;
-        const double face =
-            (double)r->at[axis] + (r->inverse[axis] > 0 ? 1 : 0);
+        /* At the end of the cell if the ray goes up. */
+        const double face = (double)(r->at[axis] + (r->step[axis] > 0));
         r->cross[axis] = murk_grid_ray_reach(r, axis, face);
     }
 }

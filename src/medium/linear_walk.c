@@ -12,10 +12,6 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Two values side by side along z in one register (a vector extension of gcc
- * and clang). */
-typedef double pair __attribute__((vector_size(16)));
-
 static double clamp01(double x)
 {
     return murk_smaller(murk_larger(x, 0), 1);
@@ -23,110 +19,101 @@ static double clamp01(double x)
 
 /* ---- blocks ---- */
 
-static void load_node(murk_linear *m, unsigned which)
+/* The step along an axis to the next corner, if the step in a leaf is `by`. */
+#define STEP(is_end, by) ((is_end) ? 0U - 7 * (by) : (by))
+
+#define CORNERS(x, y, z)                                                     \
+    {                                                                        \
+        (x ? 0x11 : 1) * (y ? 5 : 1) * (z ? 3 : 1),                          \
+            {0,     z,         2 * y,         2 * y + z,                     \
+             4 * x, 4 * x + z, 4 * x + 2 * y, 4 * x + 2 * y + z},            \
+        {                                                                    \
+            0, STEP(z, 1), STEP(y, 8), STEP(y, 8) + STEP(z, 1), STEP(x, 64), \
+                STEP(x, 64) + STEP(z, 1), STEP(x, 64) + STEP(y, 8),          \
+                STEP(x, 64) + STEP(y, 8) + STEP(z, 1)                        \
+        }                                                                    \
+    }
+
+const murk_linear_corners murk_linear_corners_of[8] = {
+    CORNERS(0, 0, 0), CORNERS(0, 0, 1), CORNERS(0, 1, 0), CORNERS(0, 1, 1),
+    CORNERS(1, 0, 0), CORNERS(1, 0, 1), CORNERS(1, 1, 0), CORNERS(1, 1, 1)};
+
+void murk_linear_find_nodes(murk_linear *linear, unsigned missing)
 {
-    const int32_t voxel[3] = {m->ray.block_first[0] + (int32_t)(which >> 2) * 8,
-                              m->ray.block_first[1] +
-                                  (int32_t)(which >> 1 & 1) * 8,
-                              m->ray.block_first[2] + (int32_t)(which & 1) * 8};
-    const murk_tree_node found = murk_tree_node_at(&m->cursor, voxel);
-    m->tile[which] = found.value;
-    m->leaf[which] = found.leaf ? found.leaf : &m->tile[which];
-    m->offset_mask[which] = found.leaf ? -1 : 0;
-    m->known |= 1U << which;
+    murk_linear *m = linear;
+    m->known |= missing;
+    for (; missing; missing &= missing - 1) {
+        const unsigned node = (unsigned)__builtin_ctz(missing);
+        const int32_t *first = m->ray.block_first;
+        const int32_t voxel[3] = {first[0] + (int32_t)(node & 4) * 2,
+                                  first[1] + (int32_t)(node & 2) * 4,
+                                  first[2] + (int32_t)(node & 1) * 8};
+        const murk_tree_node found = murk_tree_node_at(&m->cursor, voxel);
+        const unsigned slot = node ^ m->own;
+        m->tile[slot] = found.value;
+        m->values[slot] = found.leaf ? found.leaf : &m->tile[slot];
+        m->offset_mask[slot] = found.leaf ? ~0U : 0;
+    }
 }
 
-/* The value of a voxel of the block or, at index 8, of the node behind it. */
-static inline double far_corner(murk_linear *m, int x, int y, int z)
+/* The nodes of `known` that the block beyond a step along an axis has, too,
+ * with their numbers in that block. `bit` is the axis in numbers of nodes, and
+ * `lower` the nodes without it. */
+static inline unsigned shared_nodes(unsigned known, uint32_t step, unsigned bit,
+                                    unsigned lower)
 {
-    const unsigned which = (unsigned)((x >> 3) << 2 | (y >> 3) << 1 | (z >> 3));
-    if (!(m->known & (1U << which))) {
-        load_node(m, which);
-    }
-    const int offset = (x & 7) << 6 | (y & 7) << 3 | (z & 7);
-    return (double)m->leaf[which][offset & m->offset_mask[which]];
+    return step == 0        ? known
+           : step == 8      ? known >> bit & lower
+           : step == 0U - 8 ? (known & lower) << bit
+                            : 0;
 }
 
-static void load_far_corners(murk_linear *m, int x, int y, int z,
-                             pair corner[4])
+/* Makes the block around at[] the current one. */
+static inline void move_block(murk_linear *m)
 {
-    for (int i = 0; i < 4; ++i) {
-        const int cx = x + (i >> 1), cy = y + (i & 1);
-        corner[i] =
-            (pair){far_corner(m, cx, cy, z), far_corner(m, cx, cy, z + 1)};
-    }
+    const int32_t *at = m->ray.at;
+    int32_t *first = m->ray.block_first;
+    const int32_t x = at[0] & ~7, y = at[1] & ~7, z = at[2] & ~7;
+    unsigned known = m->known;
+    known = shared_nodes(known, (uint32_t)x - (uint32_t)first[0], 4, 0x0f);
+    known = shared_nodes(known, (uint32_t)y - (uint32_t)first[1], 2, 0x33);
+    known = shared_nodes(known, (uint32_t)z - (uint32_t)first[2], 1, 0x55);
+    m->known = known;
+    m->own = (unsigned)((x & 8) >> 1 | (y & 8) >> 2 | (z & 8) >> 3);
+    first[0] = x;
+    first[1] = y;
+    first[2] = z;
 }
 
-/* The corners of a cell, in pairs along z: [2 x + y]. `leaf` contains all
- * voxels of the block, or is NULL. */
-static inline void load_corners(murk_linear *m, const float *leaf, int x, int y,
-                                int z, pair corner[4])
+bool murk_linear_enter(murk_linear *linear)
 {
-    if (!leaf || (((x + 1) | (y + 1) | (z + 1)) & 8)) {
-        load_far_corners(m, x, y, z, corner);
-        return;
+    murk_linear *m = linear;
+    move_block(m);
+    if (!(m->known & 1)) {
+        murk_linear_find_nodes(m, 1);
     }
-    const float *v = leaf + (x << 6 | y << 3 | z);
-    corner[0] = (pair){(double)v[0], (double)v[1]};
-    corner[1] = (pair){(double)v[8], (double)v[9]};
-    corner[2] = (pair){(double)v[64], (double)v[65]};
-    corner[3] = (pair){(double)v[72], (double)v[73]};
-}
-
-/* Mean of the field on a segment through a cell, at least 0. The middle of the
- * segment is at (x, y, z) in the cell, and (dx, dy, dz) leads from one end of
- * the segment to the other. The field on the segment is a cubic, so the mean is
- * the value in the middle plus 1/24 of the second derivative, which follows
- * from the mixed derivatives of the field. */
-static inline double mean_in_cell(const pair corner[4], double x, double y,
-                                  double z, double dx, double dy, double dz)
-{
-    const pair fx = {x, x}, fy = {y, y};
-    const pair low_x = corner[2] - corner[0], high_x = corner[3] - corner[1];
-    const pair low = corner[0] + fx * low_x, high = corner[1] + fx * high_x;
-    const pair by_y = high - low, by_xy = high_x - low_x;
-    const pair value = low + fy * by_y, by_x = low_x + fy * by_xy;
-    const double xy = by_xy[0] + z * (by_xy[1] - by_xy[0]);
-    const double xz = by_x[1] - by_x[0], yz = by_y[1] - by_y[0];
-    const double bend = xy * dx * dy + (xz * dx + yz * dy) * dz;
-    return murk_larger(value[0] + z * (value[1] - value[0]) + bend * (1.0 / 12),
-                       0);
-}
-
-static void load_cell(murk_linear *m)
-{
-    const int *in = m->ray.in_block;
-    pair corner[4];
-    load_far_corners(m, in[0], in[1], in[2], corner);
-    for (int i = 0; i < 4; ++i) {
-        m->corner[2 * i] = corner[i][0];
-        m->corner[2 * i + 1] = corner[i][1];
+    if (!murk_linear_leaf(m) && murk_linear_cross_even(m)) {
+        return false;
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        m->low[axis] = (double)m->ray.block_first[axis] + in[axis];
-    }
+    murk_grid_ray_enter_block(&m->ray);
+    return true;
 }
 
 /* The segment in the current cell of the block. */
 static void cross_cell(murk_linear *m)
 {
-    load_cell(m);
+    const unsigned offset = (unsigned)murk_offset_in_leaf(m->ray.in_block);
+    const murk_linear_corners *corners = murk_linear_know_corners(m, offset);
+    for (int i = 0; i < 8; ++i) {
+        m->corner[i] = (double)murk_linear_corner(m, corners, offset, i);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        m->low[axis] = (double)m->ray.block_first[axis] + m->ray.in_block[axis];
+    }
     murk_grid_ray_cross_in_block(&m->ray);
 }
 
 /* ---- segments ---- */
-
-/* Crosses the segment that begins in the cell at[]; returns true if a block
- * was entered instead. */
-static bool cross_at(murk_linear *m)
-{
-    if (murk_linear_cross_even(m)) {
-        return false;
-    }
-    murk_grid_ray_enter_block(&m->ray);
-    m->known = 0;
-    return true;
-}
 
 void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
                        murk_vec3 origin, murk_vec3 direction, double t0,
@@ -135,8 +122,12 @@ void murk_linear_begin(murk_linear *linear, const murk_tree *tree,
     const int32_t first[3] = {tree->first[0] - 1, tree->first[1] - 1,
                               tree->first[2] - 1};
     linear->cursor = (murk_tree_cursor){.tree = tree};
+    linear->known = 0;
     murk_grid_ray_begin(&linear->ray, origin, direction, t0, t1, first,
                         tree->last);
+    for (int axis = 0; axis < 3; ++axis) {
+        linear->ray.block_first[axis] = 0;
+    }
 }
 
 bool murk_linear_next(murk_linear *linear)
@@ -144,7 +135,7 @@ bool murk_linear_next(murk_linear *linear)
     if (!murk_grid_ray_next(&linear->ray)) {
         return false;
     }
-    if (linear->ray.is_in_block || cross_at(linear)) {
+    if (linear->ray.is_in_block || murk_linear_enter(linear)) {
         cross_cell(linear);
     }
     return true;
@@ -165,152 +156,6 @@ murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1)
     place_in_cell(linear, t0, a);
     place_in_cell(linear, t1, b);
     return murk_cubic_in_cell(linear->corner, a, b);
-}
-
-/* The state of an integration. */
-typedef struct tally {
-    double scale, offset, limit, reached;
-} tally;
-
-/* The limit is reached in the current segment, in which the field has the given
- * mean: moves m->ray.to back. If rounding makes the field 0 at the new
- * m->ray.to (at an end of the segment), m->value is the mean, so that a
- * collision has a medium. */
-static void stop_in_segment(murk_linear *m, tally *sum, double mean)
-{
-    const double length = m->ray.to - m->ray.from;
-    const double density = sum->scale * mean + sum->offset;
-    const murk_cubic field = murk_linear_cubic(m, m->ray.from, m->ray.to);
-    murk_cubic whole = {{sum->offset, 0, 0, 0}};
-    murk_cubic_add(&whole, sum->scale, &field);
-    const double s = murk_cubic_reach(&whole, (sum->limit - sum->reached) /
-                                                  (density * length));
-    m->ray.to = murk_smaller(m->ray.to, m->ray.from + s * length);
-    m->value = murk_cubic_value(&field, s);
-    m->value = m->value > 0 ? m->value : mean;
-    sum->reached = sum->limit;
-}
-
-/* Adds the integral over a segment with the given mean of the field. True, and
- * nothing is added, if the limit is reached in the segment. */
-static inline bool add_segment(tally *sum, double length, double mean)
-{
-    const double density = sum->scale * mean + sum->offset;
-    const double more = sum->reached + density * length;
-    if (more >= sum->limit && density > 0) {
-        return true;
-    }
-    sum->reached = more;
-    return false;
-}
-
-static bool integrate_segment(murk_linear *m, tally *sum)
-{
-    const murk_cubic field = murk_linear_cubic(m, m->ray.from, m->ray.to);
-    const double mean = murk_larger(murk_cubic_integral(&field, 1), 0);
-    if (add_segment(sum, m->ray.to - m->ray.from, mean)) {
-        stop_in_segment(m, sum, mean);
-        return true;
-    }
-    return false;
-}
-
-/* Integrates over the rest of a block: murk_grid_ray_cross_in_block() and
- * murk_grid_ray_step_in_block() in one loop, with the integral of each segment.
- * True if the limit is reached. */
-static bool integrate_block(murk_linear *m, tally *sum)
-{
-    const double end = m->ray.end;
-    const double dx = m->ray.direction[0], dy = m->ray.direction[1];
-    const double dz = m->ray.direction[2];
-    const double stride_x = m->ray.stride[0], stride_y = m->ray.stride[1];
-    const double stride_z = m->ray.stride[2];
-    const int step_x = m->ray.step[0], step_y = m->ray.step[1],
-              step_z = m->ray.step[2];
-    double from = m->ray.from, to, mean;
-    double tx = murk_larger(m->ray.cross[0], from);
-    double ty = murk_larger(m->ray.cross[1], from);
-    double tz = murk_larger(m->ray.cross[2], from);
-    int x = m->ray.in_block[0], y = m->ray.in_block[1], z = m->ray.in_block[2];
-    /* The lowest point of the cell relative to the origin of the ray. */
-    double ox = m->ray.block_first[0] + x - m->ray.origin[0];
-    double oy = m->ray.block_first[1] + y - m->ray.origin[1];
-    double oz = m->ray.block_first[2] + z - m->ray.origin[2];
-    /* The longest possible segment in a cell, with a margin of 1e-3 for
-     * rounding. Origins so far away that rounding exceeds the margin lose
-     * the second-order term only. */
-    const double longest =
-        1.001 / murk_larger(murk_larger(fabs(dx), fabs(dy)), fabs(dz));
-    tally t = *sum;
-    bool stops;
-    if (!(m->known & 1)) {
-        load_node(m, 0);
-    }
-    const float *leaf = m->offset_mask[0] ? m->leaf[0] : NULL;
-    for (;;) {
-        pair corner[4];
-        load_corners(m, leaf, x, y, z, corner);
-        /* Mean of the field up to the nearest face. */
-        const double face = murk_smaller(murk_smaller(tx, ty), tz);
-        to = murk_smaller(face, end);
-        const double length = to - from, middle = from + length / 2;
-        const double bend = length <= longest ? length : 0;
-        mean = mean_in_cell(
-            corner, clamp01(middle * dx - ox), clamp01(middle * dy - oy),
-            clamp01(middle * dz - oz), bend * dx, bend * dy, bend * dz);
-        stops = add_segment(&t, length, mean);
-        if (stops || face >= end) {
-            break;
-        }
-        /* Advance to the next cell along every axis whose face was reached. */
-        from = to;
-        const bool bx = tx <= face, by = ty <= face, bz = tz <= face;
-        tx += bx ? stride_x : 0;
-        ty += by ? stride_y : 0;
-        tz += bz ? stride_z : 0;
-        const int sx = bx ? step_x : 0, sy = by ? step_y : 0;
-        const int sz = bz ? step_z : 0;
-        x += sx;
-        y += sy;
-        z += sz;
-        ox += sx;
-        oy += sy;
-        oz += sz;
-        if ((x | y | z) & ~7) {
-            break;
-        }
-    }
-    /* Store the state; at the limit find the exact position. */
-    m->ray.from = from;
-    m->ray.to = to;
-    m->ray.in_block[0] = x;
-    m->ray.in_block[1] = y;
-    m->ray.in_block[2] = z;
-    if (stops) {
-        load_cell(m);
-        stop_in_segment(m, &t, mean);
-    }
-    *sum = t;
-    return stops;
-}
-
-bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
-                           double limit, double *sum)
-{
-    murk_linear *m = linear;
-    tally t = {scale, offset, limit, *sum};
-    bool stops = false;
-    while (!stops && m->ray.to < m->ray.end) {
-        m->ray.from = m->ray.to;
-        if (cross_at(m)) {
-            stops = integrate_block(m, &t);
-            murk_grid_ray_leave_block(&m->ray);
-        } else {
-            stops = integrate_segment(m, &t);
-        }
-    }
-    *sum = t.reached;
-    return stops;
 }
 
 bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density)

@@ -8,6 +8,7 @@
  * arrived flies on by 0 m, which adds nothing. The kernel is written in vectors
  * because compilers do not turn loops with so many conditions into vector
  * instructions. */
+#ifdef WIDTH
 
 #define VECTOR NAMED(vector)
 #define MASK   NAMED(mask)
@@ -191,3 +192,5 @@ TARGET static void NAMED(score)(const murk_lattice *lattice,
 #undef AND
 #undef CHOSEN
 #undef NEXT_M
+
+#endif
