@@ -19,8 +19,8 @@
 /* Cells in the list before their contributions are added: so many that the
  * vectors are full, and that the processor follows the ray while it waits for
  * values of the cells before. With a limit most rays end soon. */
-#define ROOM            8
-#define ROOM_WITH_LIMIT 2
+#define CELLS_MAX        8
+#define CELLS_WITH_LIMIT 2
 
 /* Cells side by side in a vector. */
 #define GROUP 4
@@ -51,19 +51,21 @@ typedef uint64_t words __attribute__((vector_size(2 * sizeof(uint64_t))));
 /* Cells that the ray crosses one after the other. */
 typedef struct cells {
     size_t n;
-    double from[ROOM], to[ROOM];
-    double low[3][ROOM]; /* lowest points, relative to the origin of the ray */
+    double from[CELLS_MAX], to[CELLS_MAX];
+    double low[3][CELLS_MAX]; /* lowest points, relative to the origin of the
+                                 ray */
     /* The value at the lowest corner; those at the other corners follow as in a
      * leaf. It points into a leaf, or to `gathered` if the corners are in
      * several nodes. */
-    const float *corner[ROOM];
-    float gathered[ROOM][LEAF_X + LEAF_Y + 2];
-    int64_t place[ROOM]; /* in the block, packed */
+    const float *corner[CELLS_MAX];
+    float gathered[CELLS_MAX][LEAF_X + LEAF_Y + 2];
+    int64_t place[CELLS_MAX]; /* in the block, packed */
     /* The blocks of the list: lowest cell, and number of cells up to the end of
      * the block. */
-    size_t n_blocks, block_end[ROOM];
-    int32_t block_first[ROOM][3];
-    double mean[ROOM], density[ROOM], depth[ROOM]; /* by linear_means.h */
+    size_t n_blocks, block_end[CELLS_MAX];
+    int32_t block_first[CELLS_MAX][3];
+    double mean[CELLS_MAX], density[CELLS_MAX],
+        depth[CELLS_MAX]; /* by linear_means.h */
 } cells;
 
 /* The state of an integration. */
@@ -130,7 +132,7 @@ typedef double pair __attribute__((vector_size(16)));
 typedef int64_t pair_masks __attribute__((vector_size(16)));
 
 #if defined(__x86_64__)
-#define STEP_Z 12
+#define STEP_Z 12 /* both bits of the second mask */
 
 static inline pair smaller(pair a, pair b)
 {
@@ -143,7 +145,7 @@ static inline int step_index(pair_masks xy, pair_masks zz)
     return _mm_movemask_pd((__m128d)xy) + 4 * _mm_movemask_pd((__m128d)zz);
 }
 #else
-#define STEP_Z 4
+#define STEP_Z 4 /* the bit after those of x and y */
 
 static inline pair smaller(pair a, pair b)
 {
@@ -166,6 +168,7 @@ static inline int step_index(pair_masks xy, pair_masks zz)
     ((int64_t)(x) * (1 << 20) + (y) * (1 << 10) + (z) + \
      ((int64_t)(x)*LEAF_X + (y)*LEAF_Y + (z)) * ((int64_t)1 << 32))
 
+/* One voxel along each axis, and eight. */
 #define PLACE_ONES   (1 << 20 | 1 << 10 | 1)
 #define PLACE_EIGHTS (PLACE_ONES << 3)
 
@@ -293,8 +296,8 @@ static INTO_COPIES void gather_corners(murk_linear *m, unsigned offset,
 
 /* Lists the cells up to the end of the block or of the ray: the work of
  * murk_grid_ray_cross_in_block(), murk_grid_ray_step_in_block() and
- * murk_grid_ray_leave_block(). Adds the cells when there are `room` or more,
- * and inside of the block if there are that many. True if the limit is
+ * murk_grid_ray_leave_block(). Adds the cells when there are `capacity` or
+ * more, and inside of the block if there are that many. True if the limit is
  * reached. */
 static INTO_COPIES bool list_block(murk_linear *m, cells *c, tally *sum)
 {
@@ -315,7 +318,8 @@ static INTO_COPIES bool list_block(murk_linear *m, cells *c, tally *sum)
     pair low_zz = {low_z, low_z};
     int64_t place = PLACE_AT(r->in_block[0], r->in_block[1], r->in_block[2]);
     const float *leaf = murk_linear_leaf(m);
-    const size_t room = sum->limit < INFINITY ? ROOM_WITH_LIMIT : ROOM;
+    const size_t capacity =
+        sum->limit < INFINITY ? CELLS_WITH_LIMIT : CELLS_MAX;
     size_t n = c->n;
     for (;;) {
         /* Add the cell to the list. */
@@ -349,7 +353,7 @@ static INTO_COPIES bool list_block(murk_linear *m, cells *c, tally *sum)
         if (is_beyond(place)) {
             break;
         }
-        if (n == room) {
+        if (n == capacity) {
             end_block(c, n, r->block_first);
             if (add_cells(m, c, sum)) {
                 return true;
@@ -367,7 +371,7 @@ static INTO_COPIES bool list_block(murk_linear *m, cells *c, tally *sum)
         r->at[axis] = r->block_first[axis] + in_block[axis];
     }
     r->is_in_block = false;
-    return c->n >= room && add_cells(m, c, sum);
+    return c->n >= capacity && add_cells(m, c, sum);
 }
 
 /* ---- segments ---- */

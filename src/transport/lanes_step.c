@@ -311,6 +311,7 @@ MURK_LANE_KERNEL fly_region(murk_photon_lanes *restrict l, size_t n)
 MURK_LANE_KERNEL fly_grid(murk_photon_lanes *restrict l,
                           const murk_lane_facts *facts, size_t n)
 {
+    /* Walk along the part in the region. */
     murk_grid_lanes *restrict g = &l->grid;
     MURK_FOR_LANES(n)
     {
@@ -323,6 +324,7 @@ MURK_LANE_KERNEL fly_grid(murk_photon_lanes *restrict l,
         g->sum[i] = 0;
     }
     facts->grid->walk(g, &facts->regions.grid, n);
+    /* The collision, where the walk has stopped. */
     MURK_FOR_LANES(n)
     {
         const double extinction = g->value[i] * g->scale[i];

@@ -17,14 +17,13 @@
  * twice. */
 #define NEAR 1e-9
 
-/* True if a surface of the material, met in the open, either reflects diffusely
- * or absorbs light of this band. */
+/* True if a surface of the material, met outside of all solids, either reflects
+ * light of this band diffusely or absorbs it. */
 static bool is_plain(const murk_walker *w, const murk_hit *hit)
 {
     const murk_material *m =
         murk_surfaces_material(w->setup->world->surfaces, hit->material);
-    return !(hit->solid && m->ior > 0) && m->specular.band[w->band] == 0 &&
-           m->transmit.band[w->band] == 0;
+    return m->specular.band[w->band] == 0 && m->transmit.band[w->band] == 0;
 }
 
 void murk_lane_find(murk_lane_ahead *a, murk_walker *w, murk_photon_lanes *l,

@@ -89,24 +89,6 @@ murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead)
     return MURK_FATE_NONE;
 }
 
-void murk_meet_tell_surface(murk_walker *w, const murk_hit *hit, double path_m,
-                            int64_t before, const murk_bounce *bounce)
-{
-    const murk_material *material =
-        murk_surfaces_material(w->setup->world->surfaces, hit->material);
-    murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
-    event.outcome = bounce->outcome;
-    event.material_or_medium = hit->material;
-    event.direction_out = bounce->direction;
-    event.normal = hit->normal;
-    event.weight = murk_packet_share(before);
-    event.leaving =
-        bounce->outcome == MURK_ABSORBED ? 0 : murk_packet_share(w->quanta);
-    event.reflectance = material->diffuse.band[w->band];
-    event.path_m = path_m;
-    murk_walker_tell(w, &event);
-}
-
 murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
                             murk_inside crossed)
 {

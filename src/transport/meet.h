@@ -23,8 +23,24 @@ murk_fate murk_meet_surface(murk_walker *w, const murk_hit *hit, double path_m,
 
 /* Reports the event at a surface, at the walker's position. `before`: quanta of
  * the packet that arrives; path_m as above. */
-void murk_meet_tell_surface(murk_walker *w, const murk_hit *hit, double path_m,
-                            int64_t before, const murk_bounce *bounce);
+static inline void murk_meet_tell_surface(murk_walker *w, const murk_hit *hit,
+                                          double path_m, int64_t before,
+                                          const murk_bounce *bounce)
+{
+    const murk_material *material =
+        murk_surfaces_material(w->setup->world->surfaces, hit->material);
+    murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
+    event.outcome = bounce->outcome;
+    event.material_or_medium = hit->material;
+    event.direction_out = bounce->direction;
+    event.normal = hit->normal;
+    event.weight = murk_packet_share(before);
+    event.leaving =
+        bounce->outcome == MURK_ABSORBED ? 0 : murk_packet_share(w->quanta);
+    event.reflectance = material->diffuse.band[w->band];
+    event.path_m = path_m;
+    murk_walker_tell(w, &event);
+}
 
 /* Called after murk_meet_surface() if the surface transmitted the photon and a
  * face of a boundary mesh lies in the surface. If the surface bounds a solid,

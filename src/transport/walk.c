@@ -224,36 +224,36 @@ static void set_up(murk_walker *w, const murk_walk_setup *setup,
 
 /* Puts the photon at the beginning of the ray, and finds the regions and solids
  * that contain the photon. `probe`: where the search for surfaces begins. */
-static void set_out(murk_walker *w, murk_ray ray, murk_vec3 probe)
+static inline void set_out(murk_walker *w, const murk_ray *ray, murk_vec3 probe)
 {
     const murk_path_space *space = &w->setup->space;
-    w->path.position = ray.origin;
-    w->path.direction = ray.direction;
+    w->path.position = ray->origin;
+    w->path.direction = ray->direction;
     w->probe = probe;
     if (space->any_boundaries) {
         w->path.inside =
-            murk_path_inside_ahead(space, ray.origin, ray.direction);
+            murk_path_inside_ahead(space, ray->origin, ray->direction);
     }
     if (space->any_solids) {
         w->solids =
-            murk_path_solids_around(space->surfaces, probe, ray.direction);
+            murk_path_solids_around(space->surfaces, probe, ray->direction);
     }
 }
 
 /* The start of the search for surfaces: for distant light before the side of
  * the domain, for lamps clear of the surface that the lamp touches; without
  * surfaces, the start of the ray. */
-static murk_vec3 first_probe(const murk_walker *w, murk_ray ray)
+static inline murk_vec3 first_probe(const murk_walker *w, const murk_ray *ray)
 {
     const murk_walk_setup *r = w->setup;
     const murk_source *light = murk_sources_get(r->world->lights, w->light);
     if (!r->space.any_surfaces) {
-        return ray.origin;
+        return ray->origin;
     }
     return murk_source_is_distant(light)
-               ? murk_along(ray.origin, -r->space.margin_m, ray.direction)
-               : murk_surfaces_leave(r->world->surfaces, ray.origin,
-                                     murk_source_face(light, ray.direction));
+               ? murk_along(ray->origin, -r->space.margin_m, ray->direction)
+               : murk_surfaces_leave(r->world->surfaces, ray->origin,
+                                     murk_source_face(light, ray->direction));
 }
 
 /* Ends a photon at the start of the ray: the ray belongs to another portal
@@ -343,7 +343,7 @@ murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
         come_from_outside(w, &ray);
     }
     /* Report the emission. */
-    set_out(w, ray, first_probe(w, ray));
+    set_out(w, &ray, first_probe(w, &ray));
     if (murk_walker_is_heard(w)) {
         murk_event event = murk_walker_event(w, MURK_EVENT_EMITTED);
         event.direction_in = murk_vec(0, 0, 0);
@@ -392,7 +392,7 @@ void murk_walk_from(const murk_walk_setup *r, murk_sums *s, uint64_t photon,
     murk_walker w;
     set_up(&w, r, s, photon);
     w.band = band;
-    set_out(&w, ray, ray.origin);
+    set_out(&w, &ray, ray.origin);
     const murk_fate fate = follow(&w);
     s->ended[0][fate] += w.quanta;
 }

@@ -33,6 +33,8 @@ murk: 1
 domain: {min_m: [-2, -2, -1], max_m: [2, 2, 4]}
 media:
   smoke: {extinction_per_m: 3, albedo: 0.8, phase: {hg: 0.4}, vdb: $smoke}
+regions:
+  - {medium: smoke, translate_m: [-2, -2, -2]}
 lights:
   - {type: point, position_m: [0, 0, 3], power_w: 1}
 photons: {emit: 5000, maps: volume}
@@ -87,6 +89,13 @@ for scene in even smoke misty clear; do
     done
 done
 [ "$compared" -ge 42 ] || { echo "only $compared comparisons"; exit 1; }
+# The records are stored: 32 bytes each.
+for scene in even smoke misty clear; do
+    [ "$(wc -c <"$dir/$scene-off/light.murk")" -ge 50000 ] || {
+        echo "$scene: hardly any record"
+        exit 1
+    }
+done
 # The files hold something: another seed gives other light.
 "$murk" trace "$dir/even.yaml" --threads 2 --quiet -o "$dir/other" --seed 5
 for name in light.murk light.vdb; do

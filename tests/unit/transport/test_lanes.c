@@ -397,7 +397,7 @@ static void test_surfaces(void)
 {
     const murk_material materials[] = {
         test_material(0, 0, 0, 0),       test_material(0.8, 0, 0, 0),
-        test_material(0.3, 0.4, 0, 0),   test_material(0.1, 0.1, 0.7, 0),
+        test_material(0.3, 0.4, 0, 0),   test_material(0.1, 0, 0.7, 0),
         test_material(0, 0.5, 0.5, 1.5), test_material(1, 0, 0, 0)};
     const murk_vec3 x = {4, 0, 0}, y = {0, 4, 0}, z = {0, 0, 3};
     const murk_surface_desc surfaces[] = {

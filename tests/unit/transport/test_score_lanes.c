@@ -45,12 +45,14 @@ static void fly(murk_lane_rays *rays, double *length_m, size_t i, uint64_t step)
     murk_vec3 from = {rays->x[i] + length_m[i] * rays->dx[i],
                       rays->y[i] + length_m[i] * rays->dy[i],
                       rays->z[i] + length_m[i] * rays->dz[i]};
+    /* The start, sometimes beyond the grid. */
     if (step == 0 || c.u[0] < 0.3) {
         const double beyond = c.u[1] < 0.2 ? 1 : 0;
         from = murk_vec(coordinate(a.u[0], -beyond, 4 + beyond),
                         coordinate(a.u[1], -1 - beyond, 2 + beyond),
                         coordinate(a.u[2], -2, 2));
     }
+    /* The end. */
     murk_vec3 to = {coordinate(b.u[0], 0, 4), coordinate(b.u[1], -1, 2),
                     coordinate(b.u[2], -2, 2)};
     to.x = b.u[3] < 0.2 ? from.x : to.x;
