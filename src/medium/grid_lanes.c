@@ -95,13 +95,14 @@ static inline double left_of(double in_leaf, double inverse)
 }
 
 /* The leaves and voxels in which the walks begin. */
-MURK_LANE_KERNEL begin(murk_grid_lanes *restrict g, const murk_tree *tree,
+MURK_LANE_KERNEL begin(murk_grid_lanes *restrict g, const murk_lane_grid *grid,
                        size_t n)
 {
+    const murk_tree *tree = grid->tree;
     const double first_x = tree->first[0], last_x = tree->last[0];
     const double first_y = tree->first[1], last_y = tree->last[1];
     const double first_z = tree->first[2], last_z = tree->last[2];
-    const murk_leaf_table table = tree->leaves;
+    const murk_leaf_table table = *grid->leaves;
     const double table_x = table.first[0], table_y = table.first[1],
                  table_z = table.first[2];
     const double stride_x = (double)table.stride[0],
@@ -253,9 +254,9 @@ typedef int64_t wholes_8 __attribute__((vector_size(64)));
     target static void walk_##set(murk_grid_lanes *lanes,               \
                                   const murk_lane_grid *grid, size_t n) \
     {                                                                   \
-        begin(lanes, grid->tree, n);                                    \
+        begin(lanes, grid, n);                                          \
         for (size_t lane = 0; lane < n; lane += (width)) {              \
-            walk_group_##set(lanes, grid->tree, lane);                  \
+            walk_group_##set(lanes, grid, lane);                        \
         }                                                               \
     }
 

@@ -10,12 +10,13 @@
 
 #include "base/lanes.h"
 #include "base/vector.h"
-#include "medium/tree.h"
+#include "medium/leaf_table.h"
 
 /* A grid that is placed in the world: cell i of the index space is voxel i
  * (medium/place.h). */
 typedef struct murk_lane_grid {
     const murk_tree *tree;
+    const murk_leaf_table *leaves; /* not empty */
     murk_affine to_index;
 } murk_lane_grid;
 

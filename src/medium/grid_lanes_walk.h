@@ -15,9 +15,10 @@
  * The operations are those of murk_march_integrate() for each ray. */
 #ifdef WALK
 
-TARGET static void WALK(murk_grid_lanes *g, const murk_tree *tree, size_t lane)
+TARGET static void WALK(murk_grid_lanes *g, const murk_lane_grid *grid,
+                        size_t lane)
 {
-    const murk_leaf_table *table = &tree->leaves;
+    const murk_leaf_table *table = grid->leaves;
     const NUMBERS zero = {0};
     const WHOLES none = {0};
     const NUMBERS infinite = zero + INFINITY;
@@ -100,7 +101,7 @@ TARGET static void WALK(murk_grid_lanes *g, const murk_tree *tree, size_t lane)
                 const double voxel[3] = {cell_x[k], cell_y[k], cell_z[k]};
                 g->from[lane + k] = from[k];
                 g->sum[lane + k] = sum[k];
-                walk_alone(g, tree, lane + k, voxel);
+                walk_alone(g, grid->tree, lane + k, voxel);
                 alone[k] = -1;
             }
             goes &= ~alone;

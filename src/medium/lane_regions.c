@@ -2,6 +2,7 @@
  * (medium/lane_regions.h). */
 #include "medium/lane_regions.h"
 
+#include "medium/grid_internal.h"
 #include "medium/media_parts.h"
 
 /* The shape of a place; false if it is none of the shapes that several rays are
@@ -30,8 +31,8 @@ static bool shape_of(const murk_place *place, murk_lane_shape *shape)
 
 /* Adds the filling of a place; false if several rays cannot be followed through
  * it at once. */
-static bool add_filling(const murk_place *place, murk_lane_regions *regions,
-                        murk_lane_region *region)
+static bool add_filling(const murk_place *place, const struct murk_grid *grid,
+                        murk_lane_regions *regions, murk_lane_region *region)
 {
     if (place->filling == MURK_FILLED_EVENLY) {
         return true;
@@ -40,12 +41,13 @@ static bool add_filling(const murk_place *place, murk_lane_regions *regions,
      * segments (free_flight.c). */
     const bool is_filled = !place->replaces || place->shape == MURK_REGION_GRID;
     if (place->filling != MURK_FILLED_BY_NEAREST || regions->has_grid ||
-        !is_filled || !place->tree->leaves.leaf) {
+        !is_filled || !murk_grid_leaves(grid)->leaf) {
         return false;
     }
     region->is_grid = true;
     regions->has_grid = true;
-    regions->grid = (murk_lane_grid){place->tree, place->to_index};
+    regions->grid =
+        (murk_lane_grid){place->tree, murk_grid_leaves(grid), place->to_index};
     return true;
 }
 
@@ -67,7 +69,8 @@ bool murk_media_lane_regions(const murk_media *media,
                                      .medium = place->medium};
         if (media->media[place->medium].albedo_grid ||
             !shape_of(place, &region->shape) ||
-            !add_filling(place, regions, region)) {
+            !add_filling(place, media->media[place->medium].grid, regions,
+                         region)) {
             return false;
         }
     }

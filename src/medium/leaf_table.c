@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "medium/tree.h"
+#include "medium/nodes.h"
 
 /* Entries for each leaf: the table takes at most a 32nd of the memory of the
  * leaves, and a small one is made for any grid. */
@@ -17,11 +17,26 @@ static int32_t leaf_first(int32_t voxel)
     return voxel & ~(MURK_LEAF_EDGE - 1);
 }
 
-murk_leaf_table murk_leaf_table_made(const murk_tree *tree, size_t n)
+/* The number of leaves of a tree. */
+static size_t count_leaves(const unsigned char *buffer)
+{
+    const pnanovdb_buf_t words = murk_node_buffer(buffer);
+    const pnanovdb_grid_handle_t grid = {{0}};
+    return pnanovdb_tree_get_node_count_leaf(
+        words, pnanovdb_grid_get_tree(words, grid));
+}
+
+murk_leaf_table murk_leaf_table_made(const murk_tree *tree,
+                                     const unsigned char *buffer)
 {
     murk_leaf_table table = {0};
     size_t count[3], entries = 1;
-    const size_t maximum = ENTRIES_PER_LEAF * n + FEW_ENTRIES;
+    if (tree->n_cells == 0) {
+        return table;
+    }
+    /* The size of the table. */
+    const size_t maximum =
+        ENTRIES_PER_LEAF * count_leaves(buffer) + FEW_ENTRIES;
     for (int axis = 0; axis < 3; ++axis) {
         const int32_t first = leaf_first(tree->first[axis]) - MURK_LEAF_EDGE;
         const int32_t last = leaf_first(tree->last[axis]) + MURK_LEAF_EDGE;

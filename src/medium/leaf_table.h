@@ -6,7 +6,8 @@
 #ifndef MURK_MEDIUM_LEAF_TABLE_H
 #define MURK_MEDIUM_LEAF_TABLE_H
 
-#include <stdbool.h>
+#include "medium/tree.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -23,11 +24,10 @@ typedef struct murk_leaf_table {
 /* The entry where a constant node, or nothing, is in place of a leaf. */
 extern const float murk_no_leaf[MURK_LEAF_VOXELS];
 
-struct murk_tree;
-
-/* Makes the table of a tree with n leaves. Without memory for it the result is
- * no table, and rays are followed one by one. */
-murk_leaf_table murk_leaf_table_made(const struct murk_tree *tree, size_t n);
+/* Makes the table of a tree that was opened from the buffer. Without memory for
+ * it the result is no table, and rays are followed one by one. */
+murk_leaf_table murk_leaf_table_made(const murk_tree *tree,
+                                     const unsigned char *buffer);
 void murk_leaf_table_release(murk_leaf_table *table);
 
 #endif

@@ -53,7 +53,6 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
                            float elsewhere, const char *where, murk_error *err)
 {
     murk_tree opened = {.elsewhere = elsewhere};
-    size_t leaves = 0;
     if (buffer) {
         /* The table of root cells; cells that are constant, with the value
          * elsewhere, are left out. */
@@ -62,8 +61,6 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
         const pnanovdb_root_handle_t root =
             pnanovdb_tree_get_root(words, pnanovdb_grid_get_tree(words, grid));
         const uint32_t n = pnanovdb_root_get_tile_count(words, root);
-        leaves = pnanovdb_tree_get_node_count_leaf(
-            words, pnanovdb_grid_get_tree(words, grid));
         opened.cells = calloc(n + (size_t)1, sizeof *opened.cells);
         if (!opened.cells) {
             return murk_no_memory(err, where, "for a grid's root");
@@ -85,9 +82,6 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
         opened.first[axis] = (int32_t)first[axis];
         opened.last[axis] = (int32_t)last[axis];
     }
-    if (opened.n_cells > 0) {
-        opened.leaves = murk_leaf_table_made(&opened, leaves);
-    }
     *tree = opened;
     return MURK_OK;
 }
@@ -95,7 +89,6 @@ murk_status murk_tree_open(murk_tree *tree, const unsigned char *buffer,
 void murk_tree_close(murk_tree *tree)
 {
     free(tree->cells);
-    murk_leaf_table_release(&tree->leaves);
     *tree = (murk_tree){0};
 }
 

@@ -9,7 +9,6 @@
 
 #include "base/status.h"
 #include "base/vector.h"
-#include "medium/leaf_table.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,7 +30,6 @@ typedef struct murk_tree {
     size_t n_cells;
     int32_t first[3], last[3]; /* box of active voxels, inclusive */
     float elsewhere; /* value outside of all cells: 0, or MURK_VDB_NO_ALBEDO */
-    murk_leaf_table leaves; /* owned */
 } murk_tree;
 
 /* A position in the tree: the node with an edge of 128 voxels that was visited

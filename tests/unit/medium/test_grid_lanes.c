@@ -131,8 +131,9 @@ static void test_grid(murk_lane_set set, bool as_tiles,
                       const murk_affine *to_world)
 {
     murk_grid *made_grid = made(as_tiles, to_world);
-    murk_lane_grid grid = {.tree = murk_grid_tree(made_grid)};
-    CHECK(grid.tree->leaves.leaf != NULL);
+    murk_lane_grid grid = {.tree = murk_grid_tree(made_grid),
+                           .leaves = murk_grid_leaves(made_grid)};
+    CHECK(grid.leaves->leaf != NULL);
     CHECK(murk_affine_invert(to_world, &grid.to_index));
     grid.to_index.shift =
         murk_add(grid.to_index.shift, murk_vec(0.5, 0.5, 0.5));
@@ -182,7 +183,7 @@ static void test_sparse_grid(void)
     murk_error err = {0};
     CHECK(!murk_grid_read(&grid, "tests/unit/medium/grids/wide.vdb", NULL,
                           "test", &err));
-    CHECK(murk_grid_tree(grid)->leaves.leaf == NULL);
+    CHECK(murk_grid_leaves(grid)->leaf == NULL);
     murk_grid_destroy(grid);
 }
 
