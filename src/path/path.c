@@ -279,20 +279,22 @@ double murk_path_depth(const murk_path *path, int band)
 /* ---- the first event ---- */
 
 /* True if a surface lies ahead of `probe` inside the box space->grown, of which
- * surfaces farther than near_m may be left out; *distance_m then is the
- * distance of the nearest one from the ray's position, not below 0. */
+ * surfaces farther than near_m from the position may be left out; *distance_m
+ * then is the distance of the nearest one from the ray's position, not below 0.
+ */
 static bool meets_surface(const murk_path *path, murk_vec3 probe, double near_m,
                           murk_hit *hit, double *distance_m)
 {
     const murk_path_space *space = path->space;
     const double max_m =
         murk_path_sides_ahead(&space->grown, probe, path->direction);
-    if (!murk_surfaces_hit_near(space->surfaces, probe, path->direction, max_m,
-                                near_m, hit)) {
-        return false;
-    }
+    /* The distance of `probe` from the position, below 0 behind it. */
     const double ahead =
         murk_dot(murk_sub(probe, path->position), path->direction);
+    if (!murk_surfaces_hit_near(space->surfaces, probe, path->direction, max_m,
+                                near_m - ahead, hit)) {
+        return false;
+    }
     *distance_m = fmax(0, hit->distance_m + ahead);
     return true;
 }

@@ -141,8 +141,8 @@ typedef struct murk_path_event {
  * surface, and a surface outside of the domain by at most margin_m comes before
  * the side. False if the position is not finite or is outside of the domain by
  * more than margin_m, or, for a position in the domain, if each component of
- * the direction is 0 or NaN. Surfaces farther than near_m from `probe` may be
- * left out; INFINITY: none is. */
+ * the direction is 0 or NaN. Surfaces farther than near_m from the position
+ * may be left out; INFINITY: none is. */
 bool murk_path_first_event(const murk_path *path, murk_vec3 probe,
                            const murk_path_boundary *boundary, double near_m,
                            murk_path_event *event);

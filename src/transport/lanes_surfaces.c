@@ -4,17 +4,18 @@
  * surface or side of the domain, and a collision before it. The walker ends the
  * flight there, and the lanes compute the flight without end and compare. Both
  * find the same collision, because an end beyond the collision enters no sum of
- * optical depths before it. Only if the two lie within NEAR of each other may
- * rounding decide, and then the walker finds the event. */
+ * optical depths before it: the operations up to there are the same. Only if
+ * the two lie within NEAR of each other may rounding decide, and then the
+ * walker finds the event. */
 #include "transport/lanes_surfaces.h"
 
 #include "base/philox.h"
 #include "transport/meet.h"
 
 /* Two events nearer to each other than this share of their distance, or of the
- * optical depth to the collision, count as near: a million times the rounding
- * of sums over the regions of a flight. Cost: some two in 10^9 events are found
- * twice. */
+ * optical depth to the collision, count as near: thousands of times the
+ * rounding of the last step of a flight. Cost: some two in 10^9 events are
+ * found twice. */
 #define NEAR 1e-9
 
 /* True if a surface of the material, met outside of all solids, either reflects
@@ -44,13 +45,18 @@ void murk_lane_find(murk_lane_ahead *a, murk_walker *w, murk_photon_lanes *l,
         w->event_class = MURK_CLASS_LATER;
         w->wraps = 0;
     }
-    /* The event, up to the end of the flight. */
+    /* The event, up to the end of the flight. A flight beyond the side of the
+     * domain may still end before a surface that lies just outside. */
     const double flight_m = l->distance_m[i];
     const double near_m =
         flies ? NEAR * (flight_m + l->tau[i] / extinction_per_m) : 0;
     if (!murk_path_first_event(&w->path, w->probe, NULL,
                                flies ? flight_m + near_m : INFINITY,
-                               &a->ahead)) {
+                               &a->ahead) ||
+        (flies && a->ahead.kind == MURK_PATH_SIDE &&
+         a->ahead.distance_m < flight_m &&
+         !murk_path_first_event(&w->path, w->probe, NULL, INFINITY,
+                                &a->ahead))) {
         return;
     }
     /* The nearer of the two. */

@@ -16,6 +16,7 @@ static const char *const sets[] = {"baseline", "avx2", "avx512"};
 
 /* A checksum of all events of each photon, in the order of the photon. */
 typedef struct heard {
+    bool skips_surfaces, skips_media; /* such events may be told or not */
     uint64_t sum[PHOTONS];
 } heard;
 
@@ -31,6 +32,10 @@ static uint64_t mixed(uint64_t sum, const void *bytes, size_t n)
 static void hear(void *context, uint64_t batch, const murk_event *event)
 {
     heard *h = context;
+    if ((h->skips_surfaces && event->kind == MURK_EVENT_SURFACE) ||
+        (h->skips_media && event->kind == MURK_EVENT_MEDIUM)) {
+        return;
+    }
     uint64_t *sum = &h->sum[event->photon];
     const double numbers[] = {
         event->position.x,      event->position.y,      event->position.z,
@@ -89,6 +94,7 @@ typedef struct run {
     uint32_t events_max;
     uint64_t photons; /* 0: PHOTONS */
     bool has_tallies, has_sink, takes_back;
+    bool skips_surfaces, skips_media; /* the sink skips such events */
 } run;
 
 static outcome *traced(const test_setup *setup, run given)
@@ -105,6 +111,8 @@ static outcome *traced(const test_setup *setup, run given)
     trace.least_weight = given.least_weight;
     trace.events_max = given.events_max;
     trace.takes_any_order = true;
+    trace.skips_surfaces = o->heard.skips_surfaces = given.skips_surfaces;
+    trace.skips_media = o->heard.skips_media = given.skips_media;
     if (given.has_sink) {
         trace.sink = hear;
         trace.context = &o->heard;
@@ -212,7 +220,7 @@ static void compare_runs(const char *name, const test_setup *setup)
 {
     const double weight[] = {1, 0.3, 0.001};
     for (size_t i = 0; i < 3; ++i) {
-        for (int watched = 0; watched < 4; watched += 3) {
+        for (int watched = 0; watched < 4; ++watched) {
             const run given = {.least_weight = weight[i],
                                .events_max = 100000,
                                .has_tallies = watched & 1,
@@ -220,9 +228,14 @@ static void compare_runs(const char *name, const test_setup *setup)
             compare(name, setup, given);
         }
     }
-    /* Photons that are lost after few events. */
-    const run given = {
-        .least_weight = 0.001, .events_max = 4, .has_sink = true};
+    /* Photons that are lost after few events, and sinks that skip events. */
+    run given = {.least_weight = 0.001, .events_max = 4, .has_sink = true};
+    compare(name, setup, given);
+    given.events_max = 100000;
+    given.skips_surfaces = true;
+    compare(name, setup, given);
+    given.skips_surfaces = false;
+    given.skips_media = true;
     compare(name, setup, given);
 }
 
@@ -403,6 +416,8 @@ static void test_surfaces(void)
     const murk_surface_desc surfaces[] = {
         test_rect(murk_vec(0, 0, 0), x, y, 1), /* the floor, in the side */
         test_rect(murk_vec(0, 0, 3), x, y, 1), /* the ceiling */
+        test_rect(murk_vec(1, 1, 0), murk_vec(2, 0, 0), murk_vec(0, 2.5, 0),
+                  2), /* a carpet in the plane of the floor */
         test_rect(murk_vec(0, 0, 0), x, z, 2), /* two of the walls, glossy */
         test_rect(murk_vec(0, 3.5, 0), x, z, 5),
         test_rect(murk_vec(1, 0, 0), murk_vec(0, 2, 0), z, 3), /* a sheet */
@@ -443,12 +458,13 @@ static void test_surfaces(void)
                   {"surfaces in Rayleigh's air", &of_air, 1},
                   {"surfaces in several regions", several, 3},
                   {"surfaces in smoke", of_smoke, 2}};
-    for (size_t i = 0; i < 2 * sizeof worlds / sizeof *worlds; ++i) {
+    for (size_t i = 0; i < 2 * (sizeof worlds / sizeof *worlds); ++i) {
         const test_setup setup = {.domain = {domain.box, i % 2},
                                   .lights = lights,
                                   .n_lights = 4,
                                   .surfaces = surfaces,
-                                  .n_surfaces = 9,
+                                  .n_surfaces =
+                                      sizeof surfaces / sizeof *surfaces,
                                   .materials = materials,
                                   .n_materials = 6,
                                   .media = media,
@@ -460,11 +476,39 @@ static void test_surfaces(void)
     murk_grid_destroy(grid);
 }
 
+/* Light enters a long domain far, in units of the rounding of surfaces, before
+ * the side, close to a black wall that stands in the side. */
+static void test_long_domain(void)
+{
+    const murk_material black = test_material(0, 0, 0, 0);
+    const murk_surface_desc wall = test_rect(
+        murk_vec(0.001, 0, 0), murk_vec(0, 4, 0), murk_vec(0, 0, 4), 0);
+    const murk_source sun = {.type = MURK_SOURCE_DIRECTIONAL,
+                             .direction = {1, 0, 0},
+                             .power_w = {{1}},
+                             .where = "sun"};
+    const murk_medium fog = test_medium(20, 0.9, 0.5);
+    const murk_region everywhere = test_everywhere(0);
+    const test_setup setup = {.domain = {{{0, 0, 0}, {1000, 4, 4}}, false},
+                              .lights = &sun,
+                              .n_lights = 1,
+                              .surfaces = &wall,
+                              .n_surfaces = 1,
+                              .materials = &black,
+                              .n_materials = 1,
+                              .media = &fog,
+                              .n_media = 1,
+                              .regions = &everywhere,
+                              .n_regions = 1};
+    compare_runs("a long domain", &setup);
+}
+
 int main(void)
 {
     test_media();
     test_grids();
     test_surfaces();
+    test_long_domain();
     test_long_photons();
     test_periodic_domain();
     return check_done();

@@ -47,6 +47,17 @@ int main()
     }
     write("tiles.vdb", {tiles});
 
+    /* Noise in a box whose lowest voxel is below 0 and not that of a leaf. */
+    auto below = fog("density");
+    for (int i = -13; i <= 10; ++i) {
+        for (int j = -5; j <= 9; ++j) {
+            for (int k = -21; k <= 3; ++k) {
+                set(below, i, j, k, float((i * 7 + j * 13 + k * 29) & 15) / 8);
+            }
+        }
+    }
+    write("below.vdb", {below});
+
     /* Two voxels in an enormous box. */
     auto wide = fog("density");
     set(wide, -1000000000, -7, 5, 2);
