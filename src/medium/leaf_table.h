@@ -1,7 +1,7 @@
 /* The leaves of a tree (medium/tree.h) by place: a table over the box of active
  * voxels and one leaf beyond it on each side, so that several rays find their
- * leaves at once. Only for grids that are mostly dense: the table is left out
- * if it would have many more entries than there are leaves. For use inside
+ * leaves at once. The table is left out if it would be large and have many more
+ * entries than there are leaves. For use inside
  * src/medium only. */
 #ifndef MURK_MEDIUM_LEAF_TABLE_H
 #define MURK_MEDIUM_LEAF_TABLE_H

@@ -161,7 +161,7 @@ static void replace(lane_batch *b, size_t i, murk_fate fate)
 
 /* ---- a step ---- */
 
-/* The free flights in media that are not a single even one. */
+/* The free flights that are not loops over lanes. */
 static void fly_each(lane_batch *b)
 {
     murk_photon_lanes *l = &b->lanes;
@@ -185,7 +185,7 @@ static void fly_each(lane_batch *b)
     }
 }
 
-/* The media of collisions in several even regions. */
+/* The media of collisions in several regions. */
 static void find_media(lane_batch *b)
 {
     murk_photon_lanes *l = &b->lanes;
@@ -428,7 +428,7 @@ static void step(lane_batch *b)
 }
 
 /* True if the free flights of all photons are loops over lanes. */
-static bool are_even(const murk_media *media)
+static bool fly_in_lanes(const murk_media *media)
 {
     double extinction_per_m;
     murk_collision all;
@@ -441,12 +441,12 @@ const murk_lane_steps *murk_photon_lanes_for(const murk_walk_setup *setup)
 {
     const murk_trace *trace = setup->trace;
     const murk_path_space *space = &setup->space;
-    const bool suits = (space->any_surfaces
-                            ? !setup->any_media || are_even(setup->world->media)
-                            : setup->any_media) &&
-                       !space->any_boundaries && !trace->by_delta &&
-                       !trace->segment_sink &&
-                       (!trace->sink || trace->takes_any_order);
+    const bool suits =
+        (space->any_surfaces
+             ? !setup->any_media || fly_in_lanes(setup->world->media)
+             : setup->any_media) &&
+        !space->any_boundaries && !trace->by_delta && !trace->segment_sink &&
+        (!trace->sink || trace->takes_any_order);
     return suits ? murk_lane_steps_chosen() : NULL;
 }
 

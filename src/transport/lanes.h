@@ -11,9 +11,10 @@
 #include "transport/walk.h"
 
 /* The steps for the photons of a trace; NULL if they are traced one by one: in
- * clear air without surfaces, with surfaces beside grids or profiles, with
- * boundaries of regions, by delta tracking, for a sink that needs the order of
- * the photons, or if lanes are switched off. */
+ * clear air without surfaces, with surfaces beside media whose flights are not
+ * loops over lanes (medium/lane_regions.h), with boundaries of regions, by
+ * delta tracking, for a sink that needs the order of the photons, or if lanes
+ * are switched off. */
 const murk_lane_steps *murk_photon_lanes_for(const murk_walk_setup *setup);
 
 /* Traces the photons [first, last) of a batch, as murk_walk_photon() does one

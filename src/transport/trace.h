@@ -118,8 +118,8 @@ typedef struct murk_event {
     murk_loss loss;
 } murk_event;
 
-/* Called in order along a photon. Photons of one batch are reported in order,
- * on one thread; batches on any thread. */
+/* Called in order along a photon. Photons of one batch are reported in order
+ * (unless takes_any_order), on one thread; batches on any thread. */
 typedef void (*murk_event_sink)(void *context, uint64_t batch,
                                 const murk_event *event);
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every result file is the same for photons traced one by one and side by side
-# with each instruction set (MURK_LANES, src/transport/lanes_step.h), but for the
+# with each instruction set (MURK_LANES, src/base/lanes.h), but for the
 # object "run", which stands last in each JSON: with a number of stored photons,
 # so that a batch is cut, in two bands, through even media, a grid of smoke, and
 # a room of surfaces in mist and in clear air.

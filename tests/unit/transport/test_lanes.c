@@ -32,10 +32,12 @@ static uint64_t mixed(uint64_t sum, const void *bytes, size_t n)
 static void hear(void *context, uint64_t batch, const murk_event *event)
 {
     heard *h = context;
+    /* Events that may be told or not. */
     if ((h->skips_surfaces && event->kind == MURK_EVENT_SURFACE) ||
         (h->skips_media && event->kind == MURK_EVENT_MEDIUM)) {
         return;
     }
+    /* All that an event says. */
     uint64_t *sum = &h->sum[event->photon];
     const double numbers[] = {
         event->position.x,      event->position.y,      event->position.z,
