@@ -153,26 +153,6 @@ static void walk_alone(murk_grid_lanes *g, const murk_tree *tree, size_t i,
     g->value[i] = march.value;
 }
 
-/* The leaves of a group of lanes. */
-static inline __attribute__((always_inline)) void
-load_leaves(const float **leaf, const murk_leaf_table *table,
-            const int64_t *entry, size_t width)
-{
-    for (size_t k = 0; k < width; ++k) {
-        leaf[k] = table->leaf[entry[k]];
-    }
-}
-
-/* The densities of the voxels of a group; any for lanes that do not walk. */
-static inline __attribute__((always_inline)) void
-load_densities(double *density, const float *const *leaf, const int64_t *number,
-               size_t width)
-{
-    for (size_t k = 0; k < width; ++k) {
-        density[k] = (double)leaf[k][number[k] & (MURK_LEAF_VOXELS - 1)];
-    }
-}
-
 /* ---- the sets of vector instructions ---- */
 
 /* For grid_lanes_walk.h: a vector of the group from an array of the lanes, and

@@ -91,7 +91,11 @@ TARGET static void WALK(murk_grid_lanes *g, const murk_lane_grid *grid,
             ENTER(x, 0);
             ENTER(y, 1);
             ENTER(z, 2);
-            load_leaves(leaf, table, (const int64_t *)&entry, WIDTH);
+            int64_t entries[WIDTH];
+            memcpy(entries, &entry, sizeof entries);
+            for (size_t k = 0; k < WIDTH; ++k) {
+                leaf[k] = table->leaf[entries[k]];
+            }
             /* A ray without a leaf is followed alone. */
             WHOLES address;
             memcpy(&address, leaf, sizeof address);
@@ -109,10 +113,16 @@ TARGET static void WALK(murk_grid_lanes *g, const murk_lane_grid *grid,
         if (BITS(goes) == 0) {
             break;
         }
-        /* Up to the nearest face: add_segment(). */
+        /* The densities of the voxels; any for rays that do not walk. */
+        int64_t numbers[WIDTH];
+        double densities[WIDTH];
         NUMBERS density;
-        load_densities((double *)&density, leaf, (const int64_t *)&number,
-                       WIDTH);
+        memcpy(numbers, &number, sizeof numbers);
+        for (size_t k = 0; k < WIDTH; ++k) {
+            densities[k] = (double)leaf[k][numbers[k] & (MURK_LEAF_VOXELS - 1)];
+        }
+        memcpy(&density, densities, sizeof density);
+        /* Up to the nearest face: add_segment(). */
         const NUMBERS nearest = SMALLER(SMALLER(face_x, face_y), face_z);
         const NUMBERS to = SMALLER(nearest, end);
         const NUMBERS extinction = scale * density + offset;
