@@ -51,30 +51,37 @@ static bool add_filling(const murk_place *place, const struct murk_grid *grid,
     return true;
 }
 
+/* Adds a place as a further region; false if several rays cannot be followed
+ * through it at once. */
+static bool add_region(const murk_media *media, const murk_place *place,
+                       murk_lane_regions *regions)
+{
+    if (regions->n == MURK_LANE_REGIONS_MAX) {
+        return false;
+    }
+    const murk_medium *medium = &media->media[place->medium];
+    murk_lane_region *region = &regions->region[regions->n++];
+    *region = (murk_lane_region){.box = place->box,
+                                 .center = place->center,
+                                 .radius_m = place->radius,
+                                 .level_m = place->level,
+                                 .replaces = place->replaces,
+                                 .medium = place->medium};
+    return !medium->albedo_grid && shape_of(place, &region->shape) &&
+           add_filling(place, medium->grid, regions, region);
+}
+
 bool murk_media_lane_regions(const murk_media *media,
                              murk_lane_regions *regions)
 {
-    *regions = (murk_lane_regions){.n = media->n_places};
+    *regions = (murk_lane_regions){.n = 0};
     for (size_t i = 0; i < media->n_places; ++i) {
-        const murk_place *place = &media->places[i];
-        if (i == MURK_LANE_REGIONS_MAX) {
-            return false;
-        }
-        murk_lane_region *region = &regions->region[i];
-        *region = (murk_lane_region){.box = place->box,
-                                     .center = place->center,
-                                     .radius_m = place->radius,
-                                     .level_m = place->level,
-                                     .replaces = place->replaces,
-                                     .medium = place->medium};
-        if (media->media[place->medium].albedo_grid ||
-            !shape_of(place, &region->shape) ||
-            !add_filling(place, media->media[place->medium].grid, regions,
-                         region)) {
+        if (!add_region(media, &media->places[i], regions)) {
+            *regions = (murk_lane_regions){.n = 0};
             return false;
         }
     }
-    return media->n_places > 0;
+    return regions->n > 0;
 }
 
 murk_collision murk_media_even_collision(const murk_media *media, size_t medium,
