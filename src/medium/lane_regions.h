@@ -36,11 +36,11 @@ typedef struct murk_lane_regions {
     murk_lane_grid grid; /* of the region that is filled by a grid */
 } murk_lane_regions;
 
-/* Lists the regions in the order of the scene. False if there are none or more
- * than MURK_LANE_REGIONS_MAX, and then none is listed; or if a region is a
- * mesh, a profile or a second grid, is moved, has a grid of albedos, is a grid
- * with linear interpolation or without a table of leaves (medium/leaf_table.h),
- * or replaces others in more than the box of its grid. */
+/* Lists the regions in the order of the scene. False, and none is listed, if
+ * there are none or more than MURK_LANE_REGIONS_MAX; or if a region is a mesh,
+ * a profile or a second grid, is moved, has a grid of albedos, is a grid with
+ * linear interpolation or without a table of leaves (medium/leaf_table.h), or
+ * replaces others in more than the box of its grid. */
 bool murk_media_lane_regions(const murk_media *media,
                              murk_lane_regions *regions);
 
