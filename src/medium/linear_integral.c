@@ -6,6 +6,7 @@
  * field in all of its cells are computed side by side in vectors
  * (linear_means.h), and their contributions are added one by one. The result
  * does not depend on the length of the list. */
+#include "base/lanes.h"
 #include "medium/linear.h"
 
 #include <math.h>
@@ -83,13 +84,13 @@ typedef struct tally {
 /* ---- means ---- */
 
 #define MURK_MEANS          means_baseline
-#define MURK_MEANS_TARGET   /* that of the build */
+#define MURK_MEANS_TARGET   MURK_TARGET_BASELINE
 #define MURK_MEANS_WIDEN(a) __builtin_convertvector(a, numbers)
 #include "medium/linear_means.h"
 
 #if defined(__x86_64__)
 #define MURK_MEANS          means_avx2
-#define MURK_MEANS_TARGET   __attribute__((target("avx2")))
+#define MURK_MEANS_TARGET   MURK_TARGET_AVX2
 #define MURK_MEANS_WIDEN(a) (numbers) _mm256_cvtps_pd((__m128)(a))
 #include "medium/linear_means.h"
 #endif

@@ -286,24 +286,20 @@ MURK_LANE_KERNEL select_region(murk_photon_lanes *restrict l,
     }
 }
 
-/* fly_regions() for one region: a short cut, to the same numbers. */
+/* The flight in one region: a short cut, to the numbers of fly_regions(). */
 MURK_LANE_KERNEL fly_region(murk_photon_lanes *restrict l, size_t n)
 {
     MURK_FOR_LANES(n)
     {
         const double extinction = l->region_extinction[0][i];
         const double from = l->span_from[0][i], to = l->span_to[0][i];
-        const double tau = l->tau[i], albedo = l->region_albedo[0][i];
+        const double tau = l->tau[i];
         const double reached = from + tau / extinction;
         const bool meets =
             (to > from) & (extinction > 0) & (extinction * (to - from) >= tau);
         l->meets[i] = murk_truth(meets);
         l->distance_m[i] = reached < to ? reached : to;
         l->piece_extinction[i] = extinction;
-        l->scattering_per_m[i] = extinction * albedo;
-        l->region[i] = 0;
-        l->albedo[i] = albedo;
-        l->g[i] = l->region_g[0][i];
     }
 }
 
@@ -327,12 +323,19 @@ MURK_LANE_KERNEL fly_grid(murk_photon_lanes *restrict l,
     /* The collision, where the walk has stopped. */
     MURK_FOR_LANES(n)
     {
-        const double extinction = g->value[i] * g->scale[i];
-        const double albedo = l->region_albedo[0][i];
         l->meets[i] = g->walks[i] * g->stops[i];
         l->distance_m[i] = g->to[i];
-        l->piece_extinction[i] = extinction;
-        l->scattering_per_m[i] = extinction * albedo;
+        l->piece_extinction[i] = g->value[i] * g->scale[i];
+    }
+}
+
+/* The collision in the only region, with the extinction found there. */
+MURK_LANE_KERNEL select_only_region(murk_photon_lanes *restrict l, size_t n)
+{
+    MURK_FOR_LANES(n)
+    {
+        const double albedo = l->region_albedo[0][i];
+        l->scattering_per_m[i] = l->piece_extinction[i] * albedo;
         l->region[i] = 0;
         l->albedo[i] = albedo;
         l->g[i] = l->region_g[0][i];
@@ -420,6 +423,7 @@ MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
         } else {
             fly_region(l, n);
         }
+        select_only_region(l, n);
         return;
     }
     MURK_FOR_LANES(n)

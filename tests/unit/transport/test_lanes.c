@@ -7,12 +7,11 @@
 #include <string.h>
 
 #include "check.h"
+#include "lane_sets.h"
 #include "transport/lanes.h"
 #include "worlds.h"
 
 #define PHOTONS (MURK_BATCH_PHOTONS + 60)
-
-static const char *const sets[] = {"baseline", "avx2", "avx512"};
 
 /* A checksum of all events of each photon, in the order of the photon. */
 typedef struct heard {
@@ -177,21 +176,6 @@ static outcome *traced(const test_setup *setup, run given)
     return o;
 }
 
-/* True if the processor has the instruction set; else says so once. */
-static bool is_there(const char *set)
-{
-    static bool was_printed;
-    setenv("MURK_LANES", set, 1);
-    const bool is =
-        strcmp(murk_lane_set_name(murk_lane_steps_chosen()->set), set) == 0;
-    unsetenv("MURK_LANES");
-    if (!is && !was_printed) {
-        fprintf(stderr, "this processor has no %s: not compared\n", set);
-        was_printed = true;
-    }
-    return is;
-}
-
 /* Every instruction set and one or two threads against one by one. */
 static void compare(const char *name, const test_setup *setup, run given)
 {
@@ -200,15 +184,15 @@ static void compare(const char *name, const test_setup *setup, run given)
     outcome *one_by_one = traced(setup, given);
     CHECK(given.takes_back || setup->n_media == 0 ||
           one_by_one->account[1] > 0);
-    for (size_t s = 0; s < sizeof sets / sizeof *sets; ++s) {
-        given.lanes = sets[s];
-        if (!is_there(sets[s])) {
+    for (size_t s = 0; s < MURK_LANE_SETS; ++s) {
+        given.lanes = murk_lane_set_name((murk_lane_set)s);
+        if (!test_lane_set_forced((murk_lane_set)s)) {
             continue;
         }
         for (given.threads = 1; given.threads <= 2; ++given.threads) {
             outcome *side_by_side = traced(setup, given);
             if (memcmp(one_by_one, side_by_side, sizeof *one_by_one) != 0) {
-                fprintf(stderr, "%s, %s, %u threads\n", name, sets[s],
+                fprintf(stderr, "%s, %s, %u threads\n", name, given.lanes,
                         given.threads);
                 CHECK(false);
             }
