@@ -11,12 +11,12 @@
  * set, returns false and says so once. */
 static inline bool test_lane_set_forced(murk_lane_set set)
 {
-    static bool was_told[MURK_LANE_SETS];
+    static bool is_logged[MURK_LANE_SETS];
     murk_lane_set chosen;
     setenv("MURK_LANES", murk_lane_set_name(set), 1);
     const bool is_there = murk_lane_set_chosen(&chosen) && chosen == set;
-    if (!is_there && !was_told[set]) {
-        was_told[set] = true;
+    if (!is_there && !is_logged[set]) {
+        is_logged[set] = true;
         fprintf(stderr, "this processor has no %s: not compared\n",
                 murk_lane_set_name(set));
     }
