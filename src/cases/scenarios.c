@@ -186,7 +186,7 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     if (!status && scene->placement.knowledge == MURK_SCENE_KNOWN) {
         const double begun_s = murk_clock_s();
         status = murk_matrix_create(&j->matrix, &j->problem,
-                                    murk_plan_matrix_bytes(), err);
+                                    murk_plan_desc(scene).row_memory, err);
         j->sense_s = murk_clock_s() - begun_s;
     }
     if (status) {

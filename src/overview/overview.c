@@ -4,7 +4,7 @@
  * The facts are given as JSON and as lines of text. */
 #include "overview/overview.h"
 
-#include "base/machine.h"
+#include "base/scratch_file.h"
 #include "overview/parts.h"
 #include "overview/section_file.h"
 #include "plan/few_photons.h"
@@ -16,7 +16,7 @@
 
 #include <stdlib.h>
 
-/* The largest memory [bytes] of the coverage matrix for placement in a known
+/* The largest size [bytes] of the coverage matrix for placement in a known
  * environment: for each photon and pose of a sensor one bit, or two bytes if
  * the scene has media. */
 static double matrix_bytes(const murk_overview *o)
@@ -27,14 +27,24 @@ static double matrix_bytes(const murk_overview *o)
     return records * usable * (dims ? 2 : 0.125);
 }
 
-/* The largest memory [bytes] of the rows that placement remembers in an unknown
- * environment. */
-static double cached_bytes(const murk_overview *o)
+/* The largest memory [bytes] of the rows of the coverage matrix: in an unknown
+ * environment of those that placement remembers. */
+static double memory_of_rows(const murk_overview *o)
 {
-    const murk_scene_placement *placement = &o->session->scene->placement;
-    return placement->knowledge == MURK_SCENE_UNKNOWN
-               ? fmin(placement->memory_mb * 1048576, matrix_bytes(o))
-               : 0;
+    return fmin(o->session->scene->placement.memory_mb * 1048576,
+                matrix_bytes(o));
+}
+
+static bool is_unknown(const murk_overview *o)
+{
+    return o->session->scene->placement.knowledge == MURK_SCENE_UNKNOWN;
+}
+
+/* The largest size [bytes] of the scratch file that has the other rows in a
+ * known environment. */
+static double scratch_bytes(const murk_overview *o)
+{
+    return is_unknown(o) ? 0 : matrix_bytes(o) - memory_of_rows(o);
 }
 
 static void add_surfaces(cJSON *root, const murk_overview *o)
@@ -116,7 +126,9 @@ cJSON *murk_overview_json(const murk_overview *o)
     murk_json_number(forecast, "volume", o->forecast.volume);
     murk_json_number(forecast, "memory_bytes", o->forecast.memory_bytes);
     murk_json_number(forecast, "matrix_bytes_at_most", matrix_bytes(o));
-    murk_json_number(forecast, "remembered_bytes_at_most", cached_bytes(o));
+    murk_json_number(forecast, "remembered_bytes_at_most",
+                     is_unknown(o) ? memory_of_rows(o) : 0);
+    murk_json_number(forecast, "scratch_bytes_at_most", scratch_bytes(o));
     if (o->picture) {
         murk_section_file_json(root, o->picture, &o->section);
         murk_json_file(root, o->picture);
@@ -137,6 +149,22 @@ static void print_mesh_materials(const murk_overview *o)
                    m->is_forced  ? ", as the geometry says"
                    : m->is_named ? ""
                                  : ", as no entry has this name");
+    }
+}
+
+/* Prints the memory and the disk space that a run takes. */
+static void print_memory(const murk_overview *o)
+{
+    if (o->forecast.memory_bytes + memory_of_rows(o) >= 1e5) {
+        murk_print("memory      about %.3g GB a map while tracing; to place at "
+                   "most %.3g GB more for rows of the coverage matrix\n",
+                   o->forecast.memory_bytes / 1e9, memory_of_rows(o) / 1e9);
+    }
+    if (scratch_bytes(o) > 0) {
+        murk_print("            at most %.3g GB in a scratch file in %s, which "
+                   "has %.3g GB free (beyond placement.memory_mb)\n",
+                   scratch_bytes(o) / 1e9, murk_scratch_folder(),
+                   murk_scratch_free_bytes() / 1e9);
     }
 }
 
@@ -195,16 +223,7 @@ void murk_overview_print(const void *of)
                "volume (from a pilot of %llu photons)\n",
                o->forecast.emitted, o->forecast.surface, o->forecast.volume,
                (unsigned long long)o->forecast.pilot_photons);
-    if (o->forecast.memory_bytes + matrix_bytes(o) >= 1e5) {
-        murk_print("memory      about %.3g GB a map while tracing; to place in "
-                   "a known environment at most %.3g GB more\n",
-                   o->forecast.memory_bytes / 1e9, matrix_bytes(o) / 1e9);
-    }
-    if (cached_bytes(o) >= 1e5) {
-        murk_print("            in an unknown environment at most %.3g GB for "
-                   "remembered rows (placement.memory_mb)\n",
-                   cached_bytes(o) / 1e9);
-    }
+    print_memory(o);
     if (o->picture) {
         const murk_vec3 cut = murk_scene_user(scene, o->section.cut);
         murk_print("picture     %s: cuts at x = %.*g, y = %.*g, z = %.*g m\n",

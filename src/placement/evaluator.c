@@ -44,12 +44,13 @@ typedef struct evaluation {
     bool is_max; /* upper bounds instead of gains */
 } evaluation;
 
-/* The row of a candidate if it is in memory. */
-static const murk_row *row_in_memory(const murk_evaluator *evaluator,
-                                     uint32_t candidate)
+/* The row of a candidate if it is stored. */
+static const murk_row *stored_row(const murk_evaluator *evaluator,
+                                  uint32_t candidate)
 {
     const murk_row *row = evaluator->row;
-    return evaluator->has_all_rows || (row && row[candidate].memory)
+    return evaluator->matrix ? murk_matrix_row(evaluator->matrix, candidate)
+           : evaluator->has_all_rows || (row && row[candidate].memory)
                ? &row[candidate]
                : NULL;
 }
@@ -57,7 +58,7 @@ static const murk_row *row_in_memory(const murk_evaluator *evaluator,
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate)
 {
-    const murk_row *row = row_in_memory(evaluator, candidate);
+    const murk_row *row = stored_row(evaluator, candidate);
     if (row) {
         return *row;
     }
@@ -74,7 +75,7 @@ static bool get_part(murk_row *out, const murk_evaluator *evaluator,
                      const murk_row_need *need)
 {
     const murk_problem *problem = evaluator->problem;
-    if (!need || !problem->get_part || row_in_memory(evaluator, candidate)) {
+    if (!need || !problem->get_part || stored_row(evaluator, candidate)) {
         *out = murk_evaluator_row(evaluator, worker, candidate);
         return true;
     }
@@ -124,7 +125,7 @@ static void evaluate_first(const evaluation *w, unsigned worker, size_t batch)
     murk_row row;
     /* Evaluate the row. */
     if (o->matrix) {
-        row = o->row[candidate];
+        row = *murk_matrix_row(o->matrix, candidate);
     } else {
         o->problem->get_row(o->problem->context, worker, candidate, &entries);
         row = murk_row_borrow(&entries);
@@ -172,8 +173,8 @@ static void evaluate(const evaluation *w, unsigned worker, size_t batch)
             : 0;
 }
 
-/* Prefetches the next row if all are in memory, as rows lie in separate blocks
- * of memory. */
+/* Prefetches the next row if all are stored, as rows lie in separate blocks of
+ * memory. */
 static void prefetch_next(const evaluation *w, size_t k, size_t end)
 {
     if (w->evaluator->has_all_rows && k + 1 < end) {
@@ -331,7 +332,7 @@ static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
                 &row[k]);
         }
     }
-    /* The rows are now those in memory. */
+    /* The cached rows are the stored ones. */
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
@@ -521,7 +522,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
         out->layout = &matrix->layout;
         out->row = matrix->row;
         out->has_all_rows = true;
-        out->row_bytes = n ? matrix->memory_bytes / n : 0;
+        out->row_bytes = n ? murk_matrix_bytes(matrix) / n : 0;
     } else {
         status = murk_layout_init(&out->own_layout, problem, false, err);
         if (!status) {

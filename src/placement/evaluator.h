@@ -19,13 +19,13 @@ typedef struct murk_evaluator {
     murk_layout own_layout; /* unknown environment only */
     size_t candidates;
     murk_ranked_rows cached; /* unknown environment only */
-    const murk_row *row; /* [candidates] rows in memory, those of the matrix or
-                            the cached ones; else row[j].memory NULL: the
-                            problem is asked */
-    bool has_all_rows;   /* all rows are in memory */
+    const murk_row *row;     /* [candidates] stored rows, those of the matrix or
+                                the cached ones; else row[j].memory NULL: the
+                                problem is asked */
+    bool has_all_rows;       /* all rows are stored */
     bool is_binary; /* the entries of all rows are MURK_CLEAR, so covers may be
                        bits */
-    size_t row_bytes;       /* mean size of a row in memory */
+    size_t row_bytes;       /* mean size of a stored row */
     uint64_t *single_value; /* [candidates] value of each candidate alone */
     uint64_t *slack; /* [candidates] the amount by which a gain may grow later,
                         through rounding; NULL: gains never grow */

@@ -29,7 +29,7 @@ bool murk_lanes_pay(const murk_evaluator *evaluator)
     const size_t layers = evaluator->layout->layers + 1;
     return evaluator->layout->slots * sizeof(uint16_t) * MURK_COVER_LANES *
                layers <=
-           evaluator->matrix->memory_bytes / SHARE_OF_ROWS;
+           murk_matrix_bytes(evaluator->matrix) / SHARE_OF_ROWS;
 }
 
 murk_status murk_lanes_init(murk_lanes *out, const murk_evaluator *evaluator,
@@ -133,13 +133,15 @@ static void evaluate_rows(void *context, unsigned worker, uint64_t batch)
     murk_lanes *l = context;
     (void)worker;
     const murk_layout *layout = l->evaluator->layout;
-    const murk_row *row = l->evaluator->matrix->row + batch * ROWS_AT_ONCE;
-    uint64_t *gain = l->gain + batch * ROWS_AT_ONCE * MURK_COVER_LANES;
-    const size_t left = l->evaluator->candidates - batch * ROWS_AT_ONCE;
+    const size_t first_row = batch * ROWS_AT_ONCE;
+    const murk_row *row = &l->evaluator->matrix->row[first_row];
+    uint64_t *gain = l->gain + first_row * MURK_COVER_LANES;
+    const size_t left = l->evaluator->candidates - first_row;
     const size_t n = left < ROWS_AT_ONCE ? left : ROWS_AT_ONCE;
     row_rest rest[ROWS_AT_ONCE];
     /* Begin each row; rows that have no bits are evaluated at once. */
     for (size_t k = 0; k < n; ++k) {
+        (void)murk_matrix_row(l->evaluator->matrix, first_row + k);
         rest[k] = (row_rest){0, row[k].clarity};
         for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
             gain[k * MURK_COVER_LANES + lane] =

@@ -1,12 +1,14 @@
 /* Builds the coverage matrix: asks the problem for every row, over all threads,
- * and stores each in a compact format (placement/row.h). If the matrix could
- * exceed the memory limit, a pilot sample of rows estimates the size first, so
- * that a matrix that does not fit is refused before all rows are computed. At
- * the end photons with equal columns are merged, if the caller allows it and
- * the rows become so much shorter that merging pays (placement/merge.h). */
+ * and stores each in a compact format (placement/row.h), in memory or in a
+ * scratch file (placement/row_space.h). A sample of the rows is computed first
+ * and gives an estimate of the size, so that a matrix that does not fit on the
+ * disk is refused before all rows are computed. At the end photons with equal
+ * columns are merged, if the caller allows it and the rows become so much
+ * shorter that merging pays (placement/merge.h). */
 #include "placement/matrix.h"
 
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "base/machine.h"
 #include "base/pool.h"
 #include "base/progress.h"
@@ -14,6 +16,7 @@
 #include "placement/merge.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 
 /* With fewer photons murk_matrix_create() merges nothing: the rows are so short
@@ -21,74 +24,38 @@
  * would shorten (a choice). */
 #define PHOTONS_WORTH_MERGING 16384
 
-/* Rows of the pilot sample. A rough estimate suffices, as the limit
- * itself is checked while the matrix is filled. */
-#define PILOT_ROWS 32
+/* Rows of the sample. A rough estimate suffices, as rows that do not fit on the
+ * disk are refused when they are stored, too. */
+#define SAMPLE_ROWS 32
 
 typedef struct fill_task {
     const murk_problem *problem;
     murk_matrix *matrix;
-    uint64_t max_bytes;
     _Atomic uint64_t
-        *hash; /* [photons] hashes of the columns; NULL: not computed */
-    murk_tally bytes;
+        *hash;       /* [photons] hashes of the columns; NULL: not computed */
+    murk_tally rows; /* that are stored */
     murk_tally out_of_memory; /* rows that could not be allocated */
+    murk_tally refused;       /* rows that the scratch file could not take */
 } fill_task;
 
-static double gigabytes(uint64_t bytes)
+static double gigabytes(double bytes)
 {
-    return (double)bytes * 1e-9;
+    return bytes * 1e-9;
 }
 
-static murk_status too_big(murk_error *err, const murk_problem *problem,
-                           const char *about, double gb, uint64_t max_bytes)
-{
-    return murk_fail(err, MURK_RUN_FAILED, "",
-                     "the coverage matrix of %zu candidates and %zu photons "
-                     "takes %s %.3g GB, more than the %.3g GB it may; fewer "
-                     "candidates or photons, or `knowledge: unknown`, need "
-                     "less",
-                     problem->candidates, problem->photons, about, gb,
-                     gigabytes(max_bytes));
-}
-
-/* Upper bound on the memory of the rows, for any entries. */
+/* Upper bound on the bytes of the rows, for any entries. */
 static uint64_t max_possible(const murk_layout *layout, size_t candidates)
 {
     return (uint64_t)candidates *
            (sizeof(murk_row) + 64 + layout->slots * sizeof(uint16_t));
 }
 
-/* Candidate k of the pilot sample. Multiples of the golden ratio spread the
- * sample evenly and do not align with the steps of a grid. */
-static size_t pilot_candidate(size_t k, size_t candidates)
-{
-    const double turn = (double)k * 0.6180339887498949;
-    return (size_t)((turn - (double)(size_t)turn) * (double)candidates);
-}
-
-static murk_status pilot(const murk_problem *problem, const murk_layout *layout,
-                         uint64_t max_bytes, murk_error *err)
-{
-    double bytes = 0;
-    for (size_t k = 0; k < PILOT_ROWS && !murk_interrupted(); ++k) {
-        murk_sparse_row entries;
-        problem->get_row(problem->context, 0,
-                         pilot_candidate(k, problem->candidates), &entries);
-        bytes += (double)murk_row_bytes(layout, &entries) / PILOT_ROWS;
-    }
-    bytes = (bytes + sizeof(murk_row)) * (double)problem->candidates;
-    if (bytes > (double)max_bytes) {
-        return too_big(err, problem, "about", bytes * 1e-9, max_bytes);
-    }
-    return MURK_OK;
-}
-
 static void fill_row(void *context, unsigned worker, uint64_t batch)
 {
     fill_task *f = context;
-    if ((uint64_t)murk_tally_read(&f->bytes) > f->max_bytes ||
-        murk_tally_read(&f->out_of_memory) > 0) {
+    murk_row *row = &f->matrix->row[batch];
+    if (row->memory || murk_tally_read(&f->out_of_memory) > 0 ||
+        murk_tally_read(&f->refused) > 0) {
         return;
     }
     murk_sparse_row entries;
@@ -96,47 +63,115 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
     if (f->hash) {
         murk_merge_hash(f->hash, (size_t)batch, &entries);
     }
-    murk_row *row = &f->matrix->row[batch];
-    if (murk_row_store(row, &f->matrix->layout, &entries)) {
-        murk_tally_add(&f->bytes, (int64_t)(row->memory_bytes + sizeof *row));
-    } else {
+    if (!murk_row_store(row, &f->matrix->layout, &entries)) {
         murk_tally_add(&f->out_of_memory, 1);
+    } else if (!murk_row_space_keep(f->matrix->space, row)) {
+        murk_tally_add(&f->refused, 1);
+    } else {
+        murk_tally_add(&f->rows, 1);
     }
     murk_progress_add(1);
 }
 
+/* Fills row k of the sample. Multiples of the golden ratio spread the sample
+ * evenly and do not align with the steps of a grid. */
+static void fill_sample(void *context, unsigned worker, uint64_t k)
+{
+    fill_task *f = context;
+    const double turn = (double)k * 0.6180339887498949;
+    const double share = turn - (double)(size_t)turn;
+    fill_row(f, worker, (uint64_t)(share * (double)f->matrix->candidates));
+}
+
+/* Refuses a matrix, of estimated size, that does not fit on the disk. */
+static murk_status check_disk(const fill_task *f, double bytes, murk_error *err)
+{
+    const murk_row_space *space = f->matrix->space;
+    const double memory = (double)space->memory_max;
+    const double free_bytes = murk_scratch_free_bytes();
+    if (!space->file || bytes - memory <= free_bytes) {
+        return MURK_OK;
+    }
+    return murk_fail(
+        err, MURK_RUN_FAILED, murk_scratch_folder(),
+        "the coverage matrix of %zu candidates and %zu photons takes about "
+        "%.3g GB: %.3g GB in memory, and the rest in a scratch file in this "
+        "folder, which has %.3g GB free; TMPDIR may name another folder, and "
+        "fewer candidates or photons, or `knowledge: unknown`, need less",
+        f->problem->candidates, f->problem->photons, gigabytes(bytes),
+        gigabytes(memory), gigabytes(free_bytes));
+}
+
+/* Computes a sample of the rows, and estimates the matrix. If memory cannot
+ * hold the matrix, prints the sizes and the time, or fails if the scratch file
+ * cannot take the rest. */
+static murk_status forecast(fill_task *f, murk_error *err)
+{
+    const murk_problem *problem = f->problem;
+    const murk_row_space *space = f->matrix->space;
+    const double begun_s = murk_clock_s();
+    for (size_t k = 0; k < SAMPLE_ROWS && !murk_interrupted(); ++k) {
+        fill_sample(f, 0, k);
+    }
+    /* Scale the sample to all candidates. */
+    const double rows = fmax((double)murk_tally_read(&f->rows), 1);
+    const double of_all = (double)problem->candidates / rows;
+    const double elapsed_s = (murk_clock_s() - begun_s) / problem->threads;
+    const double bytes = of_all * (double)murk_row_space_bytes(space);
+    if (bytes <= (double)space->memory_max) {
+        return MURK_OK;
+    }
+    const murk_status status = check_disk(f, bytes, err);
+    if (!status) {
+        murk_note("coverage matrix",
+                  "%zu candidates and %zu photons take about %.3g GB and %.2g "
+                  "s to compute: %.3g GB in memory, the rest in a scratch file "
+                  "in %s (%.3g GB free)",
+                  problem->candidates, problem->photons, gigabytes(bytes),
+                  elapsed_s * of_all, gigabytes((double)space->memory_max),
+                  murk_scratch_folder(), gigabytes(murk_scratch_free_bytes()));
+    }
+    return status ? status : murk_row_space_check(space, err);
+}
+
+/* Fails if not all rows are stored. */
+static murk_status check_rows(const fill_task *f, murk_error *err)
+{
+    if (murk_tally_read(&f->out_of_memory) > 0) {
+        return murk_no_memory(
+            err, "",
+            "for the coverage matrix of %zu candidates and %zu photons",
+            f->problem->candidates, f->problem->photons);
+    }
+    return murk_row_space_check(f->matrix->space, err);
+}
+
+/* Asks for all rows. */
 static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
-                        uint64_t max_bytes, _Atomic uint64_t *hash,
+                        bool may_exceed, _Atomic uint64_t *hash,
                         murk_error *err)
 {
-    fill_task f = {.problem = problem,
-                   .matrix = matrix,
-                   .hash = hash,
-                   .max_bytes = max_bytes};
-    /* Ask for all rows. */
+    fill_task f = {.problem = problem, .matrix = matrix, .hash = hash};
+    murk_status status = MURK_OK;
     murk_progress_begin("sense", problem->candidates, "candidates");
-    murk_pool_run_workers(problem->threads, problem->candidates, fill_row, &f);
+    if (may_exceed && problem->candidates > 0) {
+        status = forecast(&f, err);
+    }
+    if (!status) {
+        murk_pool_run_workers(problem->threads, problem->candidates, fill_row,
+                              &f);
+    }
     murk_progress_end();
     if (problem->rest) {
         problem->rest(problem->context);
     }
-    /* Refuse an incomplete matrix. */
-    if (murk_interrupted()) {
-        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
-    }
-    if (murk_tally_read(&f.out_of_memory) > 0) {
-        return murk_no_memory(
-            err, "",
-            "for the coverage matrix of %zu candidates and %zu photons",
-            problem->candidates, problem->photons);
-    }
-    if ((uint64_t)murk_tally_read(&f.bytes) > max_bytes) {
-        return too_big(err, problem, "more than", gigabytes(max_bytes),
-                       max_bytes);
+    status = status ? status : murk_interrupt_check(err);
+    status = status ? status : check_rows(&f, err);
+    if (status) {
+        return status;
     }
     /* Sum up the rows. */
     matrix->is_binary = true;
-    matrix->memory_bytes = sizeof *matrix + (size_t)murk_tally_read(&f.bytes);
     for (size_t j = 0; j < matrix->candidates; ++j) {
         const murk_row *row = &matrix->row[j];
         matrix->pairs += row->seen;
@@ -152,17 +187,17 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
 }
 
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
-                               uint64_t max_bytes, murk_error *err)
+                               uint64_t memory_bytes, murk_error *err)
 {
     const bool is_worth =
         problem->photons >= PHOTONS_WORTH_MERGING && !problem->is_reweighed;
     return murk_matrix_make(
-        out, problem, max_bytes,
+        out, problem, memory_bytes,
         is_worth ? MURK_MERGE_WHERE_IT_PAYS : MURK_MERGE_NEVER, err);
 }
 
 murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
-                             uint64_t max_bytes, murk_merging merging,
+                             uint64_t memory_bytes, murk_merging merging,
                              murk_error *err)
 {
     assert(out && problem && problem->threads > 0);
@@ -175,28 +210,26 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     if (matrix) {
         matrix->candidates = problem->candidates;
         matrix->row = calloc(problem->candidates + 1, sizeof *matrix->row);
+        matrix->space = calloc(1, sizeof *matrix->space);
     }
-    if (!matrix || !matrix->row) {
+    if (!matrix || !matrix->row || !matrix->space) {
         status = murk_no_memory(err, "", "for a matrix of %zu candidates",
                                 problem->candidates);
         goto done;
     }
-    /* Check the size with a pilot sample, fill, and merge. */
+    /* Fill, and merge. */
     status = murk_layout_init(&matrix->layout, problem, true, err);
-    if (!status && problem->candidates > 0 &&
-        max_possible(&matrix->layout, problem->candidates) > max_bytes) {
-        status = pilot(problem, &matrix->layout, max_bytes, err);
-    }
     if (!status) {
-        status = fill(matrix, problem, max_bytes, hash, err);
+        const uint64_t bytes_max =
+            max_possible(&matrix->layout, problem->candidates);
+        murk_row_space_init(matrix->space, bytes_max, memory_bytes);
+        status = fill(matrix, problem, bytes_max > memory_bytes, hash, err);
     }
     if (!status && hash) {
-        uint64_t row_bytes = matrix->memory_bytes - sizeof *matrix;
-        status = murk_merge(&matrix->layout, matrix->row, problem, hash,
-                            merging == MURK_MERGE_ALWAYS, &row_bytes, err);
+        status = murk_merge(&matrix->layout, matrix->row, matrix->space,
+                            problem, hash, merging == MURK_MERGE_ALWAYS, err);
         hash = NULL; /* murk_merge() has freed it */
         murk_machine_trim();
-        matrix->memory_bytes = sizeof *matrix + (size_t)row_bytes;
     }
     if (status) {
         goto done;
@@ -231,18 +264,22 @@ murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
 
 void murk_matrix_destroy(murk_matrix *matrix)
 {
-    if (matrix) {
-        for (size_t j = 0;
-             matrix->row && !matrix->borrows_rows && j < matrix->candidates;
-             ++j) {
-            free(matrix->row[j].memory);
-        }
-        if (!matrix->borrows_rows) {
-            free(matrix->row);
-        }
-        murk_layout_release(&matrix->layout);
-        free(matrix);
+    if (!matrix) {
+        return;
     }
+    if (!matrix->borrows_rows) {
+        for (size_t j = 0;
+             matrix->row && matrix->space && j < matrix->candidates; ++j) {
+            murk_row_space_drop(matrix->space, &matrix->row[j]);
+        }
+        if (matrix->space) {
+            murk_row_space_release(matrix->space);
+        }
+        free(matrix->space);
+        free(matrix->row);
+    }
+    murk_layout_release(&matrix->layout);
+    free(matrix);
 }
 
 uint64_t murk_matrix_pairs(const murk_matrix *matrix)
@@ -250,7 +287,8 @@ uint64_t murk_matrix_pairs(const murk_matrix *matrix)
     return matrix->pairs;
 }
 
-size_t murk_matrix_memory_bytes(const murk_matrix *matrix)
+size_t murk_matrix_bytes(const murk_matrix *matrix)
 {
-    return matrix->memory_bytes;
+    return sizeof *matrix + matrix->candidates * sizeof *matrix->row +
+           (size_t)murk_row_space_bytes(matrix->space);
 }

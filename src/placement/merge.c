@@ -58,6 +58,7 @@ typedef struct merge_scratch {
 typedef struct merging {
     murk_layout *old; /* layout of the given rows */
     murk_row *row;    /* [candidates] */
+    murk_row_space *space;
     size_t candidates, photons, groups, representatives;
     uint32_t *group;  /* [slots] group of the photon in each slot of the old
                        * layout */
@@ -68,7 +69,7 @@ typedef struct merging {
     murk_layout layout;
     merge_scratch *scratch; /* [threads] */
     unsigned threads;
-    murk_tally mismatches, out_of_memory, bytes;
+    murk_tally mismatches, out_of_memory;
     murk_arena arena;
 } merging;
 
@@ -209,6 +210,7 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
     const murk_row *row = &m->row[batch];
     size_t slot;
     uint16_t p;
+    murk_row_space_read(m->space, row);
     /* Pass 0 counts and compares clarities; pass 1 compares the counts. */
     for (int pass = 0; pass < 2; ++pass) {
         for (murk_row_walk walk = murk_row_begin(layout, row);
@@ -236,12 +238,13 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
 {
     merging *m = context;
     const murk_layout *layout = m->old;
-    murk_row *row = &m->row[batch];
+    const murk_row *row = &m->row[batch];
     uint32_t *seen = m->scratch[worker].seen;
     uint16_t *packed = m->scratch[worker].packed;
     /* Collect the entries of the representatives. */
     size_t n = 0, slot;
     uint16_t p;
+    murk_row_space_read(m->space, row);
     for (murk_row_walk walk = murk_row_begin(layout, row);
          murk_row_next(&walk, &slot, &p);) {
         const uint32_t number = p > 0 ? m->number[slot] : MERGED_AWAY;
@@ -259,18 +262,20 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
         murk_tally_add(&m->out_of_memory, 1);
         return;
     }
-    free(row->memory);
-    *row = stored;
-    murk_tally_add(&m->bytes, (int64_t)(row->memory_bytes + sizeof *row));
+    murk_row_space_drop(m->space, &m->row[batch]);
+    /* murk_row_space_check() knows of a row that the file cannot take. */
+    (void)murk_row_space_keep(m->space, &stored);
+    m->row[batch] = stored;
 }
 
 /* Arrays for the groups. False when out of memory. */
 static bool merging_init(merging *m, murk_layout *layout, murk_row *row,
-                         const murk_problem *problem)
+                         murk_row_space *space, const murk_problem *problem)
 {
     const size_t n = problem->photons;
     *m = (merging){.old = layout,
                    .row = row,
+                   .space = space,
                    .candidates = problem->candidates,
                    .photons = n,
                    .threads = problem->threads};
@@ -314,13 +319,13 @@ static void rewrite(merging *m)
 }
 
 murk_status murk_merge(murk_layout *layout, murk_row *row,
-                       const murk_problem *problem, _Atomic uint64_t *hash,
-                       bool is_forced, uint64_t *row_bytes, murk_error *err)
+                       murk_row_space *space, const murk_problem *problem,
+                       _Atomic uint64_t *hash, bool is_forced, murk_error *err)
 {
     merging m;
     murk_status status = MURK_OK;
     /* Group the photons and lay out the representatives. */
-    bool has_memory = merging_init(&m, layout, row, problem) &&
+    bool has_memory = merging_init(&m, layout, row, space, problem) &&
                       find_groups(&m, problem, hash);
     free(hash);
     has_memory = has_memory && choose_representatives(&m, problem) &&
@@ -341,9 +346,9 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
     if (pays && !murk_interrupted() && murk_tally_read(&m.mismatches) == 0) {
         rewrite(&m);
         has_memory = murk_tally_read(&m.out_of_memory) == 0;
-        *row_bytes = (uint64_t)murk_tally_read(&m.bytes);
     }
     status = status ? status : murk_interrupt_check(err);
+    status = status ? status : murk_row_space_check(space, err);
     if (!status && !has_memory) {
         status = murk_no_memory(err, "", "to merge equal ones of %zu photons",
                                 problem->photons);

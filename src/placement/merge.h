@@ -9,7 +9,7 @@
 #ifndef MURK_PLACEMENT_MERGE_H
 #define MURK_PLACEMENT_MERGE_H
 
-#include "placement/row.h"
+#include "placement/row_space.h"
 
 #include <stdatomic.h>
 
@@ -19,15 +19,14 @@
 void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
                      const murk_sparse_row *entries);
 
-/* Merges photons in layout and row[candidates] if the rows become so much
- * shorter that merging pays, or always with is_forced. Equal hashes are
- * verified, row by row; if columns with one hash differ, nothing is merged.
- * Takes ownership of hash (from malloc()) and frees it as soon as photons are
- * grouped.
- * *row_bytes is set to the new size of the rows if photons were merged. Fails
- * with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+/* Merges photons in layout and row[candidates], which lie in `space`, if the
+ * rows become so much shorter that merging pays, or always with is_forced.
+ * Equal hashes are verified, row by row; if columns with one hash differ,
+ * nothing is merged. Takes ownership of hash (from malloc()) and frees it as
+ * soon as photons are grouped. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED,
+ * or with MURK_RUN_FAILED if the scratch file of the rows cannot take them. */
 murk_status murk_merge(murk_layout *layout, murk_row *row,
-                       const murk_problem *problem, _Atomic uint64_t *hash,
-                       bool is_forced, uint64_t *row_bytes, murk_error *err);
+                       murk_row_space *space, const murk_problem *problem,
+                       _Atomic uint64_t *hash, bool is_forced, murk_error *err);
 
 #endif

@@ -47,10 +47,11 @@ static void mark(void *context, unsigned worker, uint64_t batch)
     const murk_layout *layout = &p->matrix->layout;
     murk_cover *cover = &p->cover[worker];
     murk_cover_clear(cover, layout);
-    murk_cover_add(cover, layout, &p->matrix->row[p->order[rank]]);
+    murk_cover_add(cover, layout, murk_matrix_row(p->matrix, p->order[rank]));
     for (uint32_t b = rank + 1; b < p->matrix->candidates; ++b) {
         if (atomic_load_explicit(&p->first[b], memory_order_relaxed) > rank &&
-            murk_row_is_covered(layout, &p->matrix->row[p->order[b]], cover) &&
+            murk_row_is_covered(layout, murk_matrix_row(p->matrix, p->order[b]),
+                                cover) &&
             (!p->set || murk_constraint_set_may_drop(p->set, p->order[rank],
                                                      p->order[b]))) {
             lower_to(&p->first[b], rank);
@@ -116,11 +117,12 @@ static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
             continue;
         }
         murk_cover_clear(cover, layout);
-        murk_cover_add(cover, layout, &matrix->row[a]);
+        murk_cover_add(cover, layout, murk_matrix_row(matrix, a));
         for (size_t i = k + 1; i < matrix->candidates; ++i) {
             const uint32_t b = order[i];
             if (!is_dropped[b] &&
-                murk_row_is_covered(layout, &matrix->row[b], cover) &&
+                murk_row_is_covered(layout, murk_matrix_row(matrix, b),
+                                    cover) &&
                 (!set || murk_constraint_set_may_drop(set, a, b))) {
                 is_dropped[b] = ++dominators[b] >= needed;
             }

@@ -101,17 +101,18 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
     return problem->redundancy > 1 ? problem->redundancy : 1;
 }
 
-/* The coverage matrix in memory: the known environment. Each row has one of
+/* The stored coverage matrix: the known environment. Each row has one of
  * several formats (placement/row.h). */
 typedef struct murk_matrix murk_matrix;
 
-/* Asks the problem for the row of each candidate, and reports progress. If the
- * matrix could exceed max_bytes, the rows of a few candidates are asked for
- * twice, first to estimate the size. Fails with MURK_RUN_FAILED, and names the
- * sizes, if the rows need more than max_bytes; or with MURK_NO_MEMORY or
- * MURK_INTERRUPTED. */
+/* Asks the problem for the row of each candidate, and reports progress. Rows
+ * take at most memory_bytes of memory; if the matrix is larger, the other rows
+ * lie in a scratch file (base/scratch_file.h), and a note tells the sizes and
+ * the time after the first rows. Results do not depend on memory_bytes. Fails
+ * with MURK_RUN_FAILED, and names the sizes, if the scratch file cannot take
+ * the rows; or with MURK_NO_MEMORY or MURK_INTERRUPTED. */
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
-                               uint64_t max_bytes, murk_error *err);
+                               uint64_t memory_bytes, murk_error *err);
 /* The same rows with other weights, weight[photons]. Borrows the rows of
  * `from`, which must outlive *out and must have been made with is_reweighed.
  * Fails with MURK_NO_MEMORY. */
@@ -120,6 +121,7 @@ murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
 void murk_matrix_destroy(murk_matrix *matrix); /* accepts NULL */
 uint64_t
 murk_matrix_pairs(const murk_matrix *matrix); /* entries that are not 0 */
-size_t murk_matrix_memory_bytes(const murk_matrix *matrix);
+/* The bytes of all rows, in memory and in the scratch file. */
+size_t murk_matrix_bytes(const murk_matrix *matrix);
 
 #endif

@@ -15,6 +15,7 @@ typedef enum murk_row_kind {
 
 typedef struct murk_row {
     murk_row_kind kind;
+    bool is_in_file; /* the block lies in a file (placement/row_space.h) */
     size_t seen;
     size_t words;         /* of bits; BITS and PACKED only */
     const uint64_t *bits; /* [words] */
@@ -27,7 +28,8 @@ typedef struct murk_row {
                            the last element is `words` */
     const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
     const uint32_t *slot;    /* [seen], distinct; LIST and CLEAR_LIST only */
-    void *memory;            /* for free(); NULL if borrowed */
+    void *memory;            /* the block that has all arrays, for free() unless
+                                is_in_file;            NULL if borrowed */
     size_t memory_bytes;
 } murk_row;
 

@@ -12,7 +12,7 @@
  * a hundredth of it. */
 #define MURK_SEARCH_WORK UINT64_C(500000000000)
 
-/* Default memory of cached rows. */
+/* Default memory of rows. */
 #define MURK_ROW_MEMORY ((uint64_t)1 << 30)
 
 /* MURK_PLACE_BEST makes no further start after this many in a row without gain.
@@ -33,7 +33,9 @@ typedef struct murk_place_desc {
     uint64_t search_work; /* maximum work of the searches; 0: MURK_SEARCH_WORK.
                              It counts evaluations, whether or not a row is
                              cached */
-    uint64_t row_memory;  /* bytes of cached rows; unknown environment only */
+    uint64_t row_memory;  /* bytes of cached rows in an unknown environment;
+                             callers make the matrix of a known environment
+                             with it */
     uint32_t seed;
     bool with_curve; /* also find plans of fewer sensors, from 1 or from the
                         smallest feasible count; not with a budget */

@@ -102,12 +102,11 @@ murk_status murk_explore_run(murk_explore *out, murk_place_result *place,
  * budget), and in `fewest` a lower bound on the number of sensors that reach
  * the target (0 without a target or a curve, and if the bound of no number
  * reaches the target). Computes the coverage row of every candidate, and stores
- * all rows in a matrix unless the matrix would exceed max_bytes. */
+ * all rows in a matrix, of which desc->row_memory bytes lie in memory. */
 murk_status murk_explore_bound(murk_place_result *place,
                                const murk_explore *explore,
                                const murk_problem *problem,
-                               const murk_place_desc *desc, uint64_t max_bytes,
-                               murk_error *err);
+                               const murk_place_desc *desc, murk_error *err);
 
 void murk_explore_release(murk_explore *explore);
 

@@ -57,16 +57,16 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
 }
 
 /* Computes the bounds from the rows of all candidates. The rows are stored in a
- * matrix; if the matrix would exceed max_bytes, each row is asked of the
- * problem when it is needed. */
+ * matrix; if neither memory nor the scratch file holds the matrix, each row is
+ * asked of the problem when it is needed. */
 static murk_status bound_by_rows(murk_place_result *out, size_t *fewest,
                                  const murk_problem *problem,
-                                 const murk_place_desc *desc,
-                                 uint64_t max_bytes, murk_error *err)
+                                 const murk_place_desc *desc, murk_error *err)
 {
     murk_matrix *matrix = NULL;
     murk_error full = {0};
-    murk_status status = murk_matrix_create(&matrix, problem, max_bytes, &full);
+    murk_status status =
+        murk_matrix_create(&matrix, problem, desc->row_memory, &full);
     status = status == MURK_OK || status == MURK_RUN_FAILED
                  ? bound_all(out, fewest, problem, matrix, desc, err)
                  : murk_fail(err, status, full.where, "%s", full.text);
@@ -95,8 +95,7 @@ static void take_values(murk_place_result *all, const murk_explore *explore,
 murk_status murk_explore_bound(murk_place_result *place,
                                const murk_explore *explore,
                                const murk_problem *problem,
-                               const murk_place_desc *desc, uint64_t max_bytes,
-                               murk_error *err)
+                               const murk_place_desc *desc, murk_error *err)
 {
     assert(desc->constraints);
     /* Greedy placement over all candidates, for the number of sensors of the
@@ -110,7 +109,7 @@ murk_status murk_explore_bound(murk_place_result *place,
     greedy.count = has_budget ? desc->count : place->count;
     size_t fewest = 0;
     const murk_status status =
-        bound_by_rows(&all, &fewest, problem, &greedy, max_bytes, err);
+        bound_by_rows(&all, &fewest, problem, &greedy, err);
     if (status) {
         murk_place_release(&all);
         return status;

@@ -4,7 +4,6 @@
 #include "plan/plan.h"
 
 #include "base/log.h"
-#include "base/machine.h"
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
@@ -13,10 +12,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Share of the free memory that the coverage matrix may take; the rest is for
- * the maps and for bounds. */
-#define MATRIX_SHARE 0.7
 
 /* The unit of placement.memory_mb. */
 #define BYTES_PER_MB 1048576.0
@@ -85,11 +80,6 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                : status;
 }
 
-uint64_t murk_plan_matrix_bytes(void)
-{
-    return (uint64_t)(MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18));
-}
-
 murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
@@ -156,9 +146,8 @@ static murk_status explore(murk_plan_result *plan, const murk_stage *stage,
     murk_plan_add_work(plan, sight);
     murk_plan_count_queries(plan, plan->place.queries);
     if (!status) {
-        status =
-            murk_explore_bound(&plan->place, &plan->explore, &tried.problem,
-                               desc, murk_plan_matrix_bytes(), err);
+        status = murk_explore_bound(&plan->place, &plan->explore,
+                                    &tried.problem, desc, err);
     }
     murk_row_cache_release(&tried);
     return status;
@@ -273,8 +262,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     murk_at_least strict;
     murk_at_least_init(&strict, &seen.problem, (unsigned)at_least);
     const murk_problem *problem = at_least ? &strict.problem : &seen.problem;
-    status =
-        murk_matrix_create(&matrix, problem, murk_plan_matrix_bytes(), err);
+    status = murk_matrix_create(&matrix, problem, desc.row_memory, err);
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status && at_least) {

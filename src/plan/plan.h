@@ -73,10 +73,6 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
 /* The solver settings of the scene, without constraints and target. */
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 
-/* Memory that the coverage matrix may take, in bytes: 70 % of the free
- * memory. */
-uint64_t murk_plan_matrix_bytes(void);
-
 /* Streams of random numbers (murk_trace.stream in transport/trace.h) for the
  * light, or the drawn targets, of the map that is held out and of the map that
  * confirms a target. Stream 0 is that of the map that chooses the plan. */

@@ -19,7 +19,6 @@ enum {
     POWER,
     NEIGHBOURS,
     SIGHT,
-    REMEMBERING,
     EXPLORING,
     RESTARTS,
     BRANCHING,
@@ -62,7 +61,6 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [POWER] = by_power,
         [NEIGHBOURS] = by_power && !(p->power_radius_m > 0),
         [SIGHT] = p->through != MURK_SCENE_REFRACT || !p->by_normal,
-        [REMEMBERING] = p->knowledge == MURK_SCENE_UNKNOWN,
         [EXPLORING] = p->knowledge == MURK_SCENE_EXPLORE,
         [RESTARTS] = is_best,
         [BRANCHING] = (is_best || p->method == MURK_PLACE_EXACT) &&
@@ -90,7 +88,6 @@ const murk_idle_key murk_idle_keys[] = {
     {"placement.power_neighbours", NEIGHBOURS,
      WITHOUT "detection: power, and beside power_radius_m"},
     {"placement.through", SIGHT, "bends no sightlines with visibility: normal"},
-    {"placement.memory_mb", REMEMBERING, WITHOUT "knowledge: unknown"},
     {"placement.start_m", EXPLORING, WITHOUT "knowledge: explore"},
     {"placement.restarts", RESTARTS, WITHOUT "method: best"},
     {"placement.nodes", BRANCHING,

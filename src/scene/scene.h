@@ -432,7 +432,7 @@ typedef struct murk_scene_placement {
     bool has_start;
     murk_vec3 start; /* explore: the first position */
     uint64_t restarts, nodes;
-    double memory_mb; /* unknown: MiB of remembered rows */
+    double memory_mb; /* MiB of rows in memory */
     bool balanced;    /* weights: balanced; false: the two weights below */
     double weight_surface, weight_volume;
     murk_scene_interest *interest; /* at most 64 */

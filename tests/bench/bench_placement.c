@@ -238,8 +238,7 @@ static int run(const bench_case *what, unsigned threads)
                 "  matrix %.2f s, %.3g MB, %.3g pairs; %zu of %zu candidates "
                 "after presolve; %zu starts, %.3g weighings\n"
                 "  coverage %.4f, upper %.4f, gap %.2f %%\n",
-                built.clock_s[0],
-                (double)murk_matrix_memory_bytes(matrix) * 1e-6,
+                built.clock_s[0], (double)murk_matrix_bytes(matrix) * 1e-6,
                 (double)murk_matrix_pairs(matrix), r.after_presolve,
                 h->problem.candidates, r.restarts, (double)r.evaluations,
                 (double)r.value / (double)r.whole,

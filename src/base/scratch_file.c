@@ -1,0 +1,180 @@
+/* Scratch files (base/scratch_file.h). The file is unlinked as soon as it is
+ * open. Addresses for the largest possible file are reserved by one mapping at
+ * the start, which costs no memory; a block is written with pwrite(), so that a
+ * full disk is an error of that call, and is read through the mapping only
+ * after it is written. */
+#include "base/scratch_file.h"
+
+#include "base/tally.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+/* Alignment of blocks: one cache line, the widest vector register. */
+#define ALIGNMENT 64
+
+/* Addresses are reserved for so many times the free space of the file system,
+ * because space of discarded blocks is used again under new addresses; but for
+ * at most ADDRESSES_MAX bytes, an eighth of what a 64-bit process has. */
+#define ADDRESSES_PER_FREE 4
+#define ADDRESSES_MAX      0x1p44
+
+struct murk_scratch_file {
+    int fd;
+    char *map;
+    size_t map_bytes;
+    murk_tally end;   /* offset behind the last block */
+    murk_tally error; /* errno of a write that failed; 0: none */
+};
+
+const char *murk_scratch_folder(void)
+{
+    const char *folder = getenv("TMPDIR");
+    return folder && *folder ? folder : "/var/tmp";
+}
+
+double murk_scratch_free_bytes(void)
+{
+    struct statvfs system;
+    return statvfs(murk_scratch_folder(), &system) == 0
+               ? (double)system.f_bavail * (double)system.f_frsize
+               : INFINITY;
+}
+
+static murk_status fail(murk_error *err, int reason)
+{
+    return murk_fail(err, MURK_RUN_FAILED, murk_scratch_folder(),
+                     "cannot write a scratch file: %s; TMPDIR may name another "
+                     "folder",
+                     strerror(reason));
+}
+
+/* Opens the file and removes the name at once. */
+static int open_nameless(void)
+{
+    char path[4096];
+    const int length =
+        snprintf(path, sizeof path, "%s/murk-XXXXXX", murk_scratch_folder());
+    if (length < 0 || (size_t)length >= sizeof path) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    const int fd = mkstemp(path);
+    if (fd >= 0) {
+        (void)unlink(path);
+        (void)fcntl(fd, F_SETFD, FD_CLOEXEC);
+    }
+    return fd;
+}
+
+murk_status murk_scratch_file_create(murk_scratch_file **out, murk_error *err)
+{
+    murk_scratch_file *file = calloc(1, sizeof *file);
+    if (!file) {
+        return murk_no_memory(err, "", "for a scratch file");
+    }
+    file->fd = open_nameless();
+    if (file->fd >= 0) {
+        file->map_bytes = (size_t)fmin(
+            ADDRESSES_PER_FREE * murk_scratch_free_bytes(), ADDRESSES_MAX);
+        file->map =
+            mmap(NULL, file->map_bytes, PROT_READ, MAP_SHARED, file->fd, 0);
+    }
+    if (file->fd < 0 || file->map == MAP_FAILED) {
+        const int reason = errno;
+        file->map = NULL;
+        murk_scratch_file_destroy(file);
+        return fail(err, reason);
+    }
+    *out = file;
+    return MURK_OK;
+}
+
+void murk_scratch_file_destroy(murk_scratch_file *file)
+{
+    if (!file) {
+        return;
+    }
+    if (file->map) {
+        munmap(file->map, file->map_bytes);
+    }
+    if (file->fd >= 0) {
+        close(file->fd);
+    }
+    free(file);
+}
+
+/* Writes all bytes of a block. Returns 0 or errno. */
+static int write_block(int fd, const char *block, size_t size, off_t offset)
+{
+    while (size > 0) {
+        const ssize_t n = pwrite(fd, block, size, offset);
+        if (n < 0 && errno != EINTR) {
+            return errno;
+        }
+        if (n > 0) {
+            block += n;
+            offset += n;
+            size -= (size_t)n;
+        }
+    }
+    return 0;
+}
+
+void *murk_scratch_file_append(murk_scratch_file *file, const void *block,
+                               size_t size)
+{
+    const size_t padded = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    const int64_t at = atomic_fetch_add(&file->end, (int64_t)padded);
+    const int reason = (uint64_t)at + padded > file->map_bytes
+                           ? ENOSPC
+                           : write_block(file->fd, block, size, at);
+    if (reason) {
+        atomic_store(&file->error, reason);
+        return NULL;
+    }
+    return file->map + at;
+}
+
+murk_status murk_scratch_file_check(const murk_scratch_file *file,
+                                    murk_error *err)
+{
+    const int reason = (int)murk_tally_read(&file->error);
+    return reason ? fail(err, reason) : MURK_OK;
+}
+
+void murk_scratch_file_discard(murk_scratch_file *file, const void *block,
+                               size_t size)
+{
+#ifdef FALLOC_FL_PUNCH_HOLE
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    const size_t at = (size_t)((const char *)block - file->map);
+    const size_t first = (at + page - 1) / page * page;
+    const size_t end = (at + size) / page * page;
+    if (first < end) {
+        (void)fallocate(file->fd, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE,
+                        (off_t)first, (off_t)(end - first));
+    }
+#else
+    (void)file;
+    (void)block;
+    (void)size;
+#endif
+}
+
+void murk_scratch_file_evict(murk_scratch_file *file)
+{
+#ifdef MADV_DONTNEED
+    (void)madvise(file->map, (size_t)murk_tally_read(&file->end),
+                  MADV_DONTNEED);
+#else
+    (void)file;
+#endif
+}

@@ -1,0 +1,111 @@
+/* Rows in memory, in a scratch file, and in both: every row has the entries
+ * that were stored, in every format, and all methods give the same plans, with
+ * photons merged and not. Fixed seeds: nothing here is random. */
+#include "base/log.h"
+#include "check.h"
+#include "made_up.h"
+#include "placement/matrix.h"
+
+#include <string.h>
+
+enum { PHOTONS = 1000, CANDIDATES = 30 };
+
+static bool has_entries(const murk_matrix *matrix, const made_up *m, size_t j)
+{
+    const murk_row *row = murk_matrix_row(matrix, j);
+    const size_t photons = m->problem.photons;
+    uint16_t *clarity = calloc(matrix->layout.slots, sizeof *clarity), p;
+    size_t slot;
+    bool is_equal = true;
+    for (murk_row_walk walk = murk_row_begin(&matrix->layout, row);
+         murk_row_next(&walk, &slot, &p);) {
+        clarity[slot] = p;
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        is_equal = is_equal &&
+                   clarity[murk_layout_slot(&matrix->layout, (uint32_t)i)] ==
+                       m->clarity[j * photons + i];
+    }
+    free(clarity);
+    return is_equal;
+}
+
+static murk_place_result plan(const made_up *m, const murk_matrix *matrix,
+                              murk_place_method method)
+{
+    murk_place_desc desc = murk_place_defaults();
+    murk_place_result result = {0};
+    murk_error err = {0};
+    desc.method = method;
+    desc.count = 4;
+    desc.restarts = 2;
+    desc.nodes = 200;
+    CHECK(murk_place_sensors(&result, &m->problem, matrix, &desc, &err) ==
+          MURK_OK);
+    return result;
+}
+
+/* Compares plans from a matrix with those from a matrix in memory. */
+static void check_plans(const made_up *m, const murk_matrix *memory,
+                        const murk_matrix *other)
+{
+    for (int method = 0; method < 4; ++method) {
+        murk_place_result a = plan(m, memory, (murk_place_method)method);
+        murk_place_result b = plan(m, other, (murk_place_method)method);
+        CHECK(a.value == b.value && a.upper == b.upper && a.nodes == b.nodes);
+        CHECK(a.evaluations == b.evaluations && a.count == b.count);
+        CHECK(!memcmp(a.sensor, b.sensor, a.count * sizeof *a.sensor));
+        murk_place_release(&a);
+        murk_place_release(&b);
+    }
+}
+
+/* The given share of pairs and number of clarities make rows of one format. */
+static void test_rows(murk_row_kind kind, double share, uint32_t levels)
+{
+    made_up *m = made_up_create(7, PHOTONS, CANDIDATES, share, levels, 3, 2);
+    murk_matrix *memory = NULL;
+    murk_error err = {0};
+    CHECK(!murk_matrix_make(&memory, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
+                            &err));
+    const uint64_t all = murk_row_space_bytes(memory->space);
+    const uint64_t bytes[] = {0, all / 2, all, UINT64_MAX};
+    for (size_t k = 0; k < 4; ++k) {
+        murk_matrix *matrix = NULL;
+        CHECK(!murk_matrix_make(&matrix, &m->problem, bytes[k],
+                                MURK_MERGE_NEVER, &err));
+        size_t in_file = 0;
+        matrix->space->window_max = 0; /* pages are evicted at every reading */
+        for (size_t j = 0; j < CANDIDATES; ++j) {
+            CHECK(matrix->row[j].kind == kind && has_entries(matrix, m, j));
+            in_file += matrix->row[j].is_in_file;
+        }
+        /* A quarter of the memory is for pages of the file. */
+        CHECK(k == 0  ? in_file == CANDIDATES
+              : k < 3 ? in_file > 3 && in_file < CANDIDATES - 3
+                      : in_file == 0);
+        CHECK((uint64_t)murk_tally_read(&matrix->space->memory) <= bytes[k]);
+        CHECK(murk_matrix_bytes(matrix) == murk_matrix_bytes(memory));
+        matrix->space->window_max = 100000;
+        check_plans(m, memory, matrix);
+        murk_matrix_destroy(matrix);
+        /* Merged rows are stored again. */
+        CHECK(!murk_matrix_make(&matrix, &m->problem, bytes[k],
+                                MURK_MERGE_ALWAYS, &err));
+        check_plans(m, memory, matrix);
+        murk_matrix_destroy(matrix);
+    }
+    murk_matrix_destroy(memory);
+    made_up_destroy(m);
+}
+
+int main(void)
+{
+    murk_warn_to(NULL); /* the forecasts */
+    test_rows(MURK_ROW_BITS, .3, 1);
+    test_rows(MURK_ROW_PACKED, .3, 50);
+    test_rows(MURK_ROW_DENSE, .9, 50);
+    test_rows(MURK_ROW_LIST, .02, 50);
+    test_rows(MURK_ROW_CLEAR_LIST, .02, 1);
+    return check_done();
+}
