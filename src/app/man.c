@@ -23,7 +23,9 @@ static const struct {
 } codes[] = {{"0", "Done."},
              {"1", "The run failed, or ran out of memory."},
              {"2", "Bad input or usage; nothing was written."},
-             {"130", "Interrupted."},
+             {"130", "Interrupted. Nothing was written, except that place, "
+                     "interrupted while it searches for the plan, writes the "
+                     "plan so far, and study writes the rows that are done."},
              {"141", "Done, but standard output was closed before its end, as "
                      "by head(1). Result files are whole."}};
 
