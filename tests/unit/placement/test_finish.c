@@ -263,6 +263,11 @@ static void test_endless(uint32_t seed)
         desc.target = 0;
         test_times(place_value, m, &desc);
         test_times(place_worst, m, &desc);
+        /* Branch and bound right after greedy and the bound. */
+        desc.method = MURK_PLACE_EXACT;
+        test_times(place_value, m, &desc);
+        test_times(place_worst, m, &desc);
+        desc.method = MURK_PLACE_BEST;
         /* Most of the photons, by fewer sensors than greedy takes. */
         uint64_t weight = 0;
         for (size_t i = 0; i < 1500; ++i) {
@@ -281,6 +286,8 @@ static void test_endless(uint32_t seed)
     of.problem = strict.problem;
     desc.count = 200;
     desc.target = (uint64_t)3 * 1000 * MURK_CLEAR / 10 * 9;
+    test_times(place_at_least, &of, &desc);
+    desc.method = MURK_PLACE_EXACT;
     test_times(place_at_least, &of, &desc);
     made_up_destroy(m);
 }
