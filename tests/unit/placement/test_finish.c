@@ -169,6 +169,50 @@ static void test_refused(uint32_t seed)
     made_up_destroy(m);
 }
 
+/* The target is the best value that maximum counts by class admit. Greedy
+ * reaches it or not, and only a plan that reaches it is a result. */
+static void test_target(uint32_t seed)
+{
+    int reached = 0, missed = 0;
+    for (uint32_t k = 0; k < 40; ++k) {
+        made_up *m = made_up_create(seed + k, 120, 11, 0.3, 40, 3, 1);
+        made_up_constraints r;
+        uint64_t best[MADE_UP_MAX + 1];
+        made_up_constraints_fill(&r, seed + k, CAPS, 11);
+        made_up_ruled_optima(m, &r, best);
+        murk_place_desc desc = murk_place_defaults();
+        desc.constraints = &r.constraints;
+        for (size_t n = 1; n <= 11 && best[n] != UINT64_MAX; ++n) {
+            desc.count = n;
+            desc.target = best[n];
+        }
+        murk_matrix *matrix = NULL;
+        murk_place_result plan = {0};
+        murk_error err = {0};
+        CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
+              MURK_OK);
+        murk_finish_allow(true);
+        murk_finish_search_begins();
+        CHECK(murk_finish_request(murk_host_now()));
+        const murk_status status =
+            murk_place_sensors(&plan, &m->problem, matrix, &desc, &err);
+        murk_finish_allow(false);
+        if (status) {
+            CHECK(status == MURK_INTERRUPTED);
+            CHECK_MENTIONS(err.text, "before a plan was found that reaches");
+            ++missed;
+        } else {
+            CHECK(plan.is_interrupted && plan.value == desc.target);
+            CHECK(made_up_keeps(&r, made_up_set(&plan)));
+            ++reached;
+        }
+        murk_place_release(&plan);
+        murk_matrix_destroy(matrix);
+        made_up_destroy(m);
+    }
+    CHECK(reached > 2 && missed > 2);
+}
+
 /* ---- requests from another thread, to searches without an end ---- */
 
 typedef struct asker {
@@ -296,6 +340,7 @@ int main(void)
 {
     test_small(7100);
     test_refused(7200);
+    test_target(7250);
     test_endless(7300);
     return check_done();
 }
