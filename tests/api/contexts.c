@@ -117,6 +117,7 @@ static void check_finish(void)
     murk_plan *made = NULL;
     const murk_fields *fields = NULL;
     const char *cut_by = NULL;
+    /* Without a search there is nothing to finish. */
     CHECK(!murk_context_finish(NULL));
     CHECK(murk_context_create(&a.context, &options, &error) == MURK_OK);
     CHECK(!murk_context_finish(a.context));
@@ -128,6 +129,7 @@ static void check_finish(void)
     CHECK(murk_scene_set(scene, "placement.nodes", "1e15", &error) == MURK_OK);
     CHECK(murk_world_create(&world, scene, &error) == MURK_OK);
     CHECK(murk_plan_make(&made, world, &error) == MURK_OK);
+    /* The plan is whole and marked. */
     CHECK(a.taken == 1 && a.refused > 1);
     CHECK(murk_plan_fields(made, &fields, &error) == MURK_OK);
     CHECK(murk_fields_length(fields, "sensors") == 12);

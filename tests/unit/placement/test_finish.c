@@ -180,6 +180,7 @@ static void test_target(uint32_t seed)
         uint64_t best[MADE_UP_MAX + 1];
         made_up_constraints_fill(&r, seed + k, CAPS, 11);
         made_up_ruled_optima(m, &r, best);
+        /* The largest count that has a plan, and the best value of it. */
         murk_place_desc desc = murk_place_defaults();
         desc.constraints = &r.constraints;
         for (size_t n = 1; n <= 11 && best[n] != UINT64_MAX; ++n) {
@@ -191,6 +192,7 @@ static void test_target(uint32_t seed)
         murk_error err = {0};
         CHECK(murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err) ==
               MURK_OK);
+        /* The request comes before the search. */
         murk_finish_allow(true);
         murk_finish_search_begins();
         CHECK(murk_finish_request(murk_host_now()));
