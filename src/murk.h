@@ -34,8 +34,9 @@
  * of a function says what else it fails with.
  *
  * Threads: handles of one context are used by one thread at a time; two threads
- * with two contexts do not disturb each other. murk_context_cancel() may be
- * called from any thread and from a signal handler.
+ * with two contexts do not disturb each other. murk_context_cancel() and
+ * murk_context_finish() may be called from any thread and from a signal
+ * handler.
  *
  * Structs that begin with `size` may get further members in later versions. The
  * caller sets `size` to sizeof, and all members without a purpose to 0. Any
@@ -231,6 +232,17 @@ void murk_context_destroy(murk_context *context);
  * stop at the next batch and return MURK_INTERRUPTED; later calls work as
  * usual. Calls that do no long work, such as murk_scene_set(), do not stop. */
 void murk_context_cancel(murk_context *context);
+
+/* Makes the search for a plan that runs in the context finish: the best plan
+ * and the bound so far become the result, completed to the wanted number of
+ * sensors where needed, and are measured as usual, and the call succeeds. Field
+ * `placement.cut_by` of the plan is then "interrupt", because the result
+ * depends on the time of the request. Returns true if a search of
+ * murk_plan_make(), murk_plan_for_light() or murk_plan_for_matrix() runs that
+ * was not asked before. Otherwise nothing changes: before the search there is
+ * no plan, and repeats, studies and fits compare plans that are searched alike.
+ * If a target is not reached, the call fails with MURK_INTERRUPTED. */
+bool murk_context_finish(murk_context *context);
 
 /* ---- scene ---- */
 

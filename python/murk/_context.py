@@ -116,6 +116,16 @@ class Context:
         if self._for_files is not None:
             self._for_files.cancel()
 
+    def finish(self) -> bool:
+        """Makes the search for a plan that runs finish with the best plan so far; may be called from any thread.
+
+        The plan is completed and measured as usual, and `plan.placement.cut_by` is "interrupt". Returns False, and does
+        nothing, if no search for a plan runs, or if it was asked before.
+
+        Example: `threading.Timer(600, context.finish).start()`.
+        """
+        return bool(lib.murk_context_finish(self.c))
+
     def _of_temporary_files(self) -> Context:
         """A context with the same settings for work on files that are removed afterwards.
 

@@ -1,11 +1,12 @@
 /* Contexts: a context has a host (base/host.h), which holds the limit on
- * threads, the process of imports and the request to stop, and which passes
- * messages and progress to the functions of the caller. */
+ * threads, the process of imports and the requests to stop and to finish, and
+ * which passes messages and progress to the functions of the caller. */
 #include "api/handles.h"
 
 #include "base/file.h"
 #include "base/host_make.h"
 #include "base/inputs.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/pool.h"
 #include "base/progress.h"
@@ -224,4 +225,9 @@ void murk_context_cancel(murk_context *context)
     if (context) {
         atomic_store(&context->host->stop, 1);
     }
+}
+
+bool murk_context_finish(murk_context *context)
+{
+    return context && murk_finish_request(context->host);
 }

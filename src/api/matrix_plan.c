@@ -5,6 +5,7 @@
 #include "api/matrix_plan.h"
 
 #include "api/matrix_settings.h"
+#include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/progress.h"
 #include "results/exports.h"
@@ -205,7 +206,9 @@ murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
         p->session = (murk_session){.settings.threads = scene->context->threads,
                                     .run.threads = scene->context->threads,
                                     .begun_s = murk_clock_s()};
+        murk_finish_allow(true);
         status = make(p, scene, folder, options, &call.failure);
+        murk_finish_allow(false);
     } else {
         free(file);
         free(p);

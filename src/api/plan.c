@@ -2,6 +2,7 @@
  * of a scene. The plans for a matrix are made in matrix_plan.c. */
 
 #include "api/matrix_plan.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "results/plan_files.h"
@@ -89,8 +90,10 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
                            "over: each condition has a light of its own; must "
                            "be null to place for a given light");
     } else if (plan) {
+        murk_finish_allow(true);
         status = has_conditions ? place_conditions(plan, &call.failure)
                                 : place(plan, light, &call.failure);
+        murk_finish_allow(false);
     }
     status = murk_call_end_long(&call, status);
     if (status) {

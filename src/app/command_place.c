@@ -57,7 +57,8 @@ static murk_status make_plan(murk_plan **plan, murk_world *world,
 }
 
 /* With -o, saves the plan before other seeds are run, because these may take
- * hours and then fail or be interrupted. A failure of the other seeds is not
+ * hours and then fail or be interrupted. If the search for the plan was
+ * interrupted, no other seeds are run. A failure of the other seeds is not
  * returned: *late receives it, and the command fails with it after the results
  * are saved. */
 static murk_status repeat(murk_plan *plan, const murk_options *options,
@@ -65,11 +66,16 @@ static murk_status repeat(murk_plan *plan, const murk_options *options,
                           murk_error *err)
 {
     const uint64_t seeds = murk_option_number(options, "--repeat", 0);
-    murk_status status = MURK_OK;
-    if (seeds > 0 && options->out) {
+    const murk_fields *fields = NULL;
+    murk_status status =
+        seeds > 0 ? murk_plan_fields(plan, &fields, err) : MURK_OK;
+    if (seeds == 0 || status || murk_show_check_search(fields, NULL)) {
+        return status;
+    }
+    if (options->out) {
         status = murk_plan_save(plan, options->out, &save->options, NULL, err);
     }
-    if (seeds > 0 && !status) {
+    if (!status) {
         (void)murk_plan_repeat(plan, seeds, late);
     }
     return status;
@@ -98,6 +104,9 @@ murk_status murk_command_place(const murk_options *options, murk_error *err)
     murk_show(options, saved);
     if (!status) {
         status = murk_fail(err, late.code, late.where, "%s", late.text);
+    }
+    if (!status) {
+        status = murk_show_check_search(saved, err);
     }
     murk_plan_destroy(plan);
     murk_world_destroy(world);

@@ -23,7 +23,10 @@ static const struct {
 } codes[] = {{"0", "Done."},
              {"1", "The run failed, or ran out of memory."},
              {"2", "Bad input or usage; nothing was written."},
-             {"130", "Interrupted."},
+             {"130",
+              "Interrupted. If place was searching for the plan, the plan "
+              "so far was written. Repeats of place and rows of a study "
+              "that are done were written, too; else nothing."},
              {"141", "Done, but standard output was closed before its end, as "
                      "by head(1). Result files are whole."}};
 

@@ -70,6 +70,9 @@ murk_status murk_place_matrix(const murk_options *options, murk_error *err)
         status = murk_plan_save(plan, options->out, &save.options, &saved, err);
     }
     murk_show(options, saved);
+    if (!status) {
+        status = murk_show_check_search(saved, err);
+    }
     murk_plan_destroy(plan);
     murk_scene_destroy(scene);
     murk_given_save_end(&save);

@@ -5,6 +5,8 @@
 #include "app/field.h"
 #include "base/print.h"
 
+#include <string.h>
+
 #define SHOWN_S 0.005 /* shorter times would be shown as 0.00 */
 
 bool murk_shows_summary(const murk_options *options)
@@ -85,4 +87,14 @@ void murk_show(const murk_options *options, const murk_fields *saved)
         murk_show_results(options, saved);
         murk_show_run(options, saved);
     }
+}
+
+murk_status murk_show_check_search(const murk_fields *plan, murk_error *err)
+{
+    const char *cut_by = murk_field_text(plan, "placement.cut_by");
+    return cut_by && strcmp(cut_by, "interrupt") == 0
+               ? murk_fail(err, MURK_INTERRUPTED, "",
+                           "interrupted: plan and bound are those that the "
+                           "search had reached")
+               : MURK_OK;
 }

@@ -11,6 +11,11 @@ bool murk_shows_summary(const murk_options *options);
  * summary with the lines of times and files; NULL: nothing. */
 void murk_show(const murk_options *options, const murk_fields *saved);
 
+/* Fails with MURK_INTERRUPTED if the search for the plan was asked to finish
+ * (app/terminal.h): the plan is valid, but a longer search may find a better
+ * one. */
+murk_status murk_show_check_search(const murk_fields *plan, murk_error *err);
+
 /* Prints the lines of a list of texts. */
 void murk_show_lines(const murk_fields *saved, const char *list);
 

@@ -7,11 +7,13 @@
 #include "base/log.h"
 #include "base/place.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define PLACE_SIZE 640  /* of a place with the name of an option */
 #define TEXT_SIZE  1024 /* of a text with names of options */
@@ -165,11 +167,30 @@ static void tell(void *user, bool is_warning, const char *where,
 static murk_context *_Atomic running;
 static atomic_int is_interrupted;
 
+/* What is said when a search is asked to finish; NULL: nothing. On a terminal
+ * the text begins below the progress line. */
+#define FINISHES                                                              \
+    "murk: interrupted: the search ends with the best plan so far; a second " \
+    "interrupt ends the run\n"
+static const char *_Atomic finishes;
+
+/* The first signal during a search for a plan asks the search to finish. Any
+ * other signal cancels, and the next one of the same number kills the process.
+ * Calls only functions that are safe in a signal handler. */
 static void on_signal(int number)
 {
-    (void)number;
+    murk_context *context = atomic_load(&running);
+    if (murk_context_finish(context)) {
+        const char *text = atomic_load(&finishes);
+        const int before = errno;
+        if (text && write(STDERR_FILENO, text, strlen(text)) < 0) {
+            errno = before; /* nobody reads the text */
+        }
+        return;
+    }
     atomic_store(&is_interrupted, 1);
-    murk_context_cancel(atomic_load(&running));
+    murk_context_cancel(context);
+    signal(number, SIG_DFL);
 }
 
 bool murk_terminal_interrupted(void)
@@ -181,8 +202,6 @@ static void install_handlers(void)
 {
     struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
-    action.sa_flags = (int)SA_RESETHAND; /* the second signal of a number kills
-                                          * the process */
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
 }
@@ -225,7 +244,11 @@ murk_status murk_terminal_begin(murk_options *options, murk_error *err)
     if (status) {
         return status;
     }
+    /* From here on signals reach the context. */
     atomic_store(&running, options->context);
+    atomic_store(&finishes, options->quiet          ? NULL
+                            : isatty(STDERR_FILENO) ? "\n" FINISHES
+                                                    : FINISHES);
     install_handlers();
     return MURK_OK;
 }

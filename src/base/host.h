@@ -35,6 +35,7 @@ typedef struct murk_host {
     /* Set to 1 by a request to stop; lock-free, so a signal handler may set it.
      * base/interrupt.h */
     atomic_int stop;
+    atomic_int finish;        /* a value of murk_finish_state: lock-free, too */
     unsigned threads_allowed; /* 0: no limit but that of base/pool.h */
     murk_vec3 origin;         /* of positions in messages: base/position.h */
     _Atomic uint64_t *inputs; /* the set of files that are read; NULL: no set

@@ -157,13 +157,13 @@ static bool find_best(strict_run *r, uint32_t *present)
 }
 
 /* Relocates single sensors of trial by the strict weight, then by V, until no
- * sensor moves or the limit on work is reached. */
+ * sensor moves, the limit on work is reached, or a request to finish comes. */
 static void relocate(strict_run *r)
 {
     const size_t fixed = murk_fixed_count(r->run.set);
     const size_t n = r->trial_size, movers = n - fixed;
     size_t still = 0; /* sensors in a row that did not move */
-    for (size_t at = 0; still < movers && !murk_interrupted();
+    for (size_t at = 0; still < movers && !murk_must_finish();
          at = (at + 1) % movers) {
         if (r->rows > r->rows_max) {
             r->run.result.is_work_cut = true;
@@ -241,7 +241,7 @@ static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
         murk_bound_tighten(&p->bound, n, below, p->plan, p->size, ROUNDS);
     *upper = bound < *upper ? bound : *upper;
     if (*upper <= below || !murk_place_has_proof(desc->method) ||
-        murk_interrupted()) {
+        murk_must_finish()) {
         return MURK_OK;
     }
     /* Branch and bound over V, with the strict weight in the callback. */

@@ -288,7 +288,7 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
     size_t chosen = 0;
     memcpy(b->lowest, b->multiplier, slots * sizeof *b->lowest);
     for (size_t round = 0; round < rounds && upper > lower; ++round) {
-        if (murk_interrupted() || (round > 0 && b->step < MIN_STEP)) {
+        if (murk_must_finish() || (round > 0 && b->step < MIN_STEP)) {
             break;
         }
         uint64_t now = evaluate(b, n, &chosen);

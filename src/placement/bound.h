@@ -72,8 +72,8 @@ void murk_bound_release(murk_bound *bound);
  * candidates. `lower` is the value of a known plan of n, or another value below
  * which the bound is of no use. Returns an upper bound, at least `lower`, and
  * stops early when the bound reaches `lower`, when the steps have become too
- * short, or if the run is interrupted. With rounds 0: the value of all
- * candidates together. */
+ * short, or if the search is asked to finish or to stop. With rounds 0: the
+ * value of all candidates together. */
 uint64_t murk_bound_tighten(murk_bound *bound, size_t n, uint64_t lower,
                             const uint32_t *plan, size_t plan_count,
                             size_t rounds);

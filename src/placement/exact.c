@@ -3,7 +3,8 @@
  * and live candidates of its own; these arrays are allocated when the search
  * first reaches the level. Work is counted in evaluations of one photon for one
  * candidate (murk_evaluator_work()), so that the limit ends every run at the
- * same place. Only an interrupt or lack of memory ends the search elsewhere. */
+ * same place. Only a request to finish, an interrupt or lack of memory ends the
+ * search elsewhere. */
 #include "placement/exact.h"
 
 #include "base/interrupt.h"
@@ -59,7 +60,7 @@ static void count_work(exact *e, uint64_t candidates)
     const uint64_t nodes = e->work / MURK_NODE_WEIGHINGS;
     e->work += murk_evaluator_work(e->evaluator, candidates);
     murk_progress_add(e->work / MURK_NODE_WEIGHINGS - nodes);
-    e->is_cut |= e->work > e->work_max || murk_interrupted();
+    e->is_cut |= e->work > e->work_max || murk_must_finish();
 }
 
 /* Rounds an upper bound down to a multiple of the grain, as every value of a

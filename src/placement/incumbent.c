@@ -53,11 +53,12 @@ static uint64_t greedy_with_budget(murk_incumbent *p)
     return run->value;
 }
 
-/* Greedy's plan of n. If constraints stop greedy early, the fallback plan. */
+/* Greedy's plan of n: the first sensors of murk_incumbent_greedy() if that ran.
+ * If constraints stop greedy early, the fallback plan. */
 static uint64_t plan_greedily(murk_incumbent *p, size_t n)
 {
     uint64_t value;
-    if (!p->run->set) {
+    if (p->has_greedy) {
         memcpy(p->plan, p->greedy, n * sizeof *p->plan);
         p->size = n;
         return p->greedy_value[n - 1];
@@ -274,6 +275,7 @@ void murk_incumbent_greedy(murk_incumbent *p)
     const uint64_t enough = p->desc->target ? p->desc->target : UINT64_MAX;
     murk_search_greedy(p->search, p->greedy, 0, p->run->last, enough,
                        p->greedy_value);
+    p->has_greedy = true;
 }
 
 /* True if a point of the curve should cost no further work, because half of the
@@ -287,20 +289,26 @@ static bool is_curve_work_done(const murk_incumbent *p)
            rows > murk_gain_scan_rows_max(&p->run->evaluator) / 2;
 }
 
-/* A point of the curve from greedy's plan, or from the plan of one sensor fewer
- * with one more if that is worth more, and the bound of greedy's scans. */
+/* A point from greedy's plan, or from the plan of one sensor fewer with one
+ * more if that is worth more, and the bound of greedy's scans. */
 static murk_curve_point greedy_point(murk_incumbent *p, size_t n,
                                      const uint32_t *from, uint64_t from_value)
 {
     const uint64_t ceiling = p->run->evaluator.ceiling;
     uint64_t value = plan_greedily(p, n);
     if (from && from_value > value) {
-        memcpy(p->plan, from, (n - 1) * sizeof *p->plan);
-        value =
-            murk_search_greedy(p->search, p->plan, n - 1, n, UINT64_MAX, NULL);
+        uint32_t *trial = p->run->trial;
+        memcpy(trial, from, (n - 1) * sizeof *trial);
+        const uint64_t with =
+            murk_search_greedy(p->search, trial, n - 1, n, UINT64_MAX, NULL);
+        if (p->search->size == n) { /* constraints may admit no sensor more */
+            memcpy(p->plan, trial, n * sizeof *trial);
+            p->size = n;
+            value = with;
+        }
     }
     const uint64_t greedy_bound = p->greedy_bound[n - 1];
-    return (murk_curve_point){n, value,
+    return (murk_curve_point){p->size, value,
                               greedy_bound < ceiling ? greedy_bound : ceiling};
 }
 
@@ -326,7 +334,7 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
     if (status || murk_interrupted()) {
         return status;
     }
-    if (!is_plan && is_curve_work_done(p)) {
+    if (murk_must_finish() || (!is_plan && is_curve_work_done(p))) {
         *last = greedy_point(p, k, from, last->value);
         return MURK_OK;
     }
@@ -335,7 +343,7 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
                 : find_once(p, k, rounds, made);
     const bool is_open = desc->target == 0 || (last->value < desc->target &&
                                                last->upper >= desc->target);
-    return is_plan && is_open && !murk_interrupted()
+    return is_plan && is_open && !murk_must_finish()
                ? branch_and_bound(p, k, last, err)
                : MURK_OK;
 }

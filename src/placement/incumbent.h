@@ -13,8 +13,10 @@ typedef struct murk_incumbent {
     murk_gain_scan *search; /* that of the run */
     murk_bound bound;
     murk_starts starts;
-    uint32_t *greedy;       /* [last], the largest count of the run: candidates
-                               in order of choice, without constraints */
+    uint32_t *greedy; /* [last], the largest count of the run: candidates
+                         in order of choice, without constraints;
+                         not before murk_incumbent_greedy() */
+    bool has_greedy;
     uint64_t *greedy_value; /* [last] value of the first k + 1 */
     uint64_t *greedy_bound; /* [last] without constraints: no plan of k + 1
                                sensors exceeds it, by greedy's scans */
@@ -41,7 +43,8 @@ void murk_incumbent_greedy(murk_incumbent *incumbent);
  * *last. `from` is the plan of one sensor fewer and *last its value; from NULL:
  * none. Fails with MURK_RUN_FAILED if no plan keeps the constraints or none was
  * found, or with MURK_NO_MEMORY. If the run is interrupted *last may stay
- * unchanged. */
+ * unchanged. After a request to finish, the plan is greedy's, or that of one
+ * sensor fewer with one more, and the bound that of greedy's scans. */
 murk_status murk_incumbent_count(murk_incumbent *incumbent, size_t k,
                                  const uint32_t *from, murk_curve_point *last,
                                  murk_error *err);

@@ -19,8 +19,13 @@ murk_status murk_place_run_begin(murk_place_run *run,
 {
     *run = (murk_place_run){.desc = desc,
                             .set = desc->constraints ? &run->own_set : NULL};
-    /* Check settings and constraints, rank the candidates. */
+    /* Check settings and constraints, rank the candidates. In an unknown
+     * environment ranking asks for every row, which takes long and leaves no
+     * plan, so requests to finish are taken later. */
     murk_status status = murk_place_check(problem, matrix != NULL, desc, err);
+    if (!status && matrix) {
+        murk_finish_search_begins();
+    }
     if (!status && run->set) {
         const bool is_max = desc->target || desc->constraints->budget > 0;
         status = murk_constraint_set_init(
@@ -146,11 +151,21 @@ murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
     const murk_place_desc *desc = run->desc;
     const bool starts =
         desc->method == MURK_PLACE_BEST || desc->method == MURK_PLACE_SPOQ;
+    murk_finish_search_begins();
     murk_progress_begin("place", starts ? desc->restarts : 0,
                         starts ? "starts at most" : "");
-    const murk_status status = find_all(run, find, context, err);
+    murk_status status = find_all(run, find, context, err);
     murk_progress_end();
-    return status ? status : murk_interrupt_check(err);
+    status = status ? status : murk_interrupt_check(err);
+    /* A plan that misses the target is no result. */
+    const murk_place_result *result = &run->result;
+    if (!status && murk_must_finish() && result->value < desc->target &&
+        result->upper >= desc->target) {
+        status = murk_fail(err, MURK_INTERRUPTED, "",
+                           "interrupted before a plan was found that reaches "
+                           "the target");
+    }
+    return status;
 }
 
 uint64_t murk_place_run_nodes_left(const murk_place_run *run,
@@ -177,6 +192,7 @@ murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
                                murk_status status)
 {
     murk_place_result *result = &run->result;
+    result->is_interrupted = murk_finish_search_ends();
     for (size_t k = 0; !status && k < result->count; ++k) {
         result->sensor[k] = run->plan[k];
         result->cost +=

@@ -51,7 +51,11 @@ typedef murk_status (*murk_find_count)(void *context, size_t n,
                                        murk_error *err);
 
 /* Tries the counts from first to last, with a target until a plan reaches it.
- */
+ * Requests to finish (base/interrupt.h) are taken from here on, in a known
+ * environment from murk_place_run_begin() on, until murk_place_run_end(); all
+ * counts are tried nevertheless. Fails with MURK_INTERRUPTED if the run is
+ * interrupted, or if it finished on request without a plan that reaches the
+ * target. */
 murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
                                   void *context, murk_error *err);
 

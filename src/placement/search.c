@@ -232,11 +232,12 @@ size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
     return s->fallback_size;
 }
 
-/* True if the search must end: by the limit on work or by an interrupt. */
+/* True if the search must end: by the limit on work, by a request to finish or
+ * by an interrupt. */
 static bool is_work_spent(murk_gain_scan *s)
 {
     s->is_cut = s->is_cut || s->rows > s->rows_max;
-    return s->is_cut || murk_interrupted();
+    return s->is_cut || murk_must_finish();
 }
 
 /* Begins a sweep: each sensor that is not fixed will move once, in random

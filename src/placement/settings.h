@@ -85,8 +85,12 @@ typedef struct murk_place_result {
                               those for the smaller counts of a curve */
     uint64_t nodes;        /* work of branch and bound */
     bool is_cut; /* branch and bound ended without a proof, at desc->nodes or by
-                    an interrupt */
+                    a request to finish */
     bool is_work_cut;     /* the searches ended at desc->search_work */
+    bool is_interrupted;  /* the searches were asked to finish
+                             (base/interrupt.h): plan, bound and counters are
+                             those reached so far, which depend on the time of
+                             the request */
     uint64_t evaluations; /* gains of candidates that were computed */
     uint64_t queries;     /* rows evaluated or added, whether cached or asked of
                              the problem; unknown environment only */

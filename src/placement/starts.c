@@ -27,7 +27,8 @@
 
 /* A start that was made, or is being made. */
 typedef struct murk_start {
-    size_t size; /* sensors of the plan */
+    bool is_begun; /* false: a request to finish came before */
+    size_t size;   /* sensors of the plan */
     uint64_t value, evaluations, queries, rows;
 } murk_start;
 
@@ -42,15 +43,18 @@ static void run_start(void *context, unsigned worker, uint64_t batch)
 {
     murk_starts *t = context;
     murk_gain_scan *s = &t->search[worker];
+    if (murk_must_finish()) {
+        return;
+    }
     uint32_t *plan = t->plan + batch * t->count;
     s->evaluations = s->queries = s->rows = 0;
     s->is_cut = false;
     uint64_t value = murk_search_spoq(s, plan, t->n, t->seed, t->first + batch);
-    if (!murk_interrupted()) {
+    if (!murk_must_finish()) {
         value = murk_search_relocate(s, plan, s->size);
     }
     t->start[batch] =
-        (murk_start){s->size, value, s->evaluations, s->queries, s->rows};
+        (murk_start){true, s->size, value, s->evaluations, s->queries, s->rows};
 }
 
 /* ---- starts that share the passes over the rows ---- */
@@ -73,7 +77,7 @@ static bool prepare(shared_climb *c, murk_gain_scan *s)
     if (murk_climb_prepare(&c->climb, s)) {
         return true;
     }
-    if (!c->climb.is_spoq || murk_interrupted()) {
+    if (!c->climb.is_spoq || murk_must_finish()) {
         return false;
     }
     murk_climb_begin_relocation(&c->climb, s, c->climb.plan, s->size);
@@ -88,14 +92,17 @@ static void advance(murk_starts *t, shared_climb *c, murk_gain_scan *s,
     while (true) {
         if (c->is_active) {
             const bool has_step = prepare(c, s);
-            t->start[c->batch] = (murk_start){
-                s->size, c->climb.value, s->evaluations, s->queries, s->rows};
+            t->start[c->batch] =
+                (murk_start){true,           s->size,    c->climb.value,
+                             s->evaluations, s->queries, s->rows};
             if (has_step && !is_in_vain(t, c->batch)) {
                 return;
             }
             murk_progress_add(1);
         }
-        c->is_active = *begun < wave && !is_in_vain(t, *begun);
+        /* The start has ended, or there was none: begin the next one. */
+        c->is_active =
+            *begun < wave && !is_in_vain(t, *begun) && !murk_must_finish();
         if (!c->is_active) {
             return;
         }
@@ -113,7 +120,6 @@ static void run_shared(murk_starts *t, size_t wave)
     shared_climb climbs[MURK_COVER_LANES] = {{.is_active = false}};
     const murk_cover *cover[MURK_COVER_LANES];
     size_t begun = 0;
-    memset(t->start, 0, wave * sizeof *t->start);
     while (true) {
         /* Prepare the next step of each search. */
         size_t active = 0;
@@ -207,13 +213,14 @@ uint64_t murk_starts_try(murk_starts *t, const murk_gain_scan *search,
     }
     const uint64_t rows_max = murk_gain_scan_rows_max(t->search[0].evaluator);
     while (done < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
-           value < upper && t->all_rows <= rows_max && !murk_interrupted()) {
+           value < upper && t->all_rows <= rows_max && !murk_must_finish()) {
         const size_t left = max - done;
         const size_t wanted =
             t->has_lanes ? t->wave_max - without_gain : t->wave_max;
         const size_t wave = left < wanted ? left : wanted;
         t->first = done;
         /* Make a wave of starts. */
+        memset(t->start, 0, wave * sizeof *t->start);
         if (t->has_lanes) {
             run_shared(t, wave);
         } else if (t->searches > 1) {
@@ -226,9 +233,12 @@ uint64_t murk_starts_try(murk_starts *t, const murk_gain_scan *search,
              k < wave && without_gain < MURK_STARTS_WITHOUT_GAIN &&
              value < upper && t->all_rows <= rows_max;
              ++k) {
+            const murk_start *start = &t->start[k];
+            if (!start->is_begun) {
+                break;
+            }
             ++done;
             ++without_gain;
-            const murk_start *start = &t->start[k];
             t->all_evaluations += start->evaluations;
             t->all_queries += start->queries;
             t->all_rows += start->rows;

@@ -36,7 +36,8 @@ void murk_starts_release(murk_starts *starts);
 /* Makes the starts 0..max-1 in order for plans of n sensors, and keeps a plan
  * that is strictly better than plan[*size] with value `value`. Stops after
  * MURK_STARTS_WITHOUT_GAIN starts in a row without gain, when the value reaches
- * `upper`, when the limit on work is spent, or if interrupted. `search` has the
+ * `upper`, when the limit on work is spent, or if asked to finish or to stop;
+ * starts that have begun then count as they are. `search` has the
  * fallback plan for random starts that constraints stop early. Returns the best
  * value; *made grows by the number of starts. */
 uint64_t murk_starts_try(murk_starts *starts, const murk_gain_scan *search,

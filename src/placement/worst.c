@@ -119,7 +119,7 @@ static void saturate(worst *w, size_t n)
     greedy_to_level(w, n, MURK_NO_LEVEL);
     uint64_t low = w->run.value, high = w->upper;
     for (int k = 0; k < LEVELS_MAX && high > low && high - low > LEVEL_FINEST &&
-                    !murk_interrupted();
+                    !murk_must_finish();
          ++k) {
         const uint64_t level = low + (high - low) / 2;
         greedy_to_level(w, n, level);
@@ -133,7 +133,7 @@ static void saturate(worst *w, size_t n)
 
 static void greedy_per_block(worst *w, size_t n)
 {
-    for (size_t c = 0; c < w->blocks && !murk_interrupted(); ++c) {
+    for (size_t c = 0; c < w->blocks && !murk_must_finish(); ++c) {
         murk_block_objective by = {.level = MURK_NO_LEVEL};
         by.factor[c] = 1;
         greedy_and_keep(w, &by, n);
@@ -165,7 +165,7 @@ static void try_starts(worst *w, size_t n, size_t max)
 {
     size_t without_gain = 0;
     for (size_t k = 0; k < max && without_gain < MURK_STARTS_WITHOUT_GAIN &&
-                       w->run.value < w->upper && !murk_interrupted();
+                       w->run.value < w->upper && !murk_must_finish();
          ++k) {
         without_gain = try_start(w, n, k) ? 0 : without_gain + 1;
         murk_progress_add(1);
@@ -224,7 +224,7 @@ static void make_first_plans(worst *w, size_t n, const uint32_t *from)
 {
     murk_place_run *run = &w->run;
     const murk_place_method method = run->desc->method;
-    if (method == MURK_PLACE_SPOQ) {
+    if (method == MURK_PLACE_SPOQ && !murk_must_finish()) {
         try_start(w, n, 0);
     } else if (run->desc->target) {
         greedy_to_level(w, n, run->desc->target);
@@ -292,7 +292,7 @@ static murk_status search_count(worst *w, size_t n, bool is_plan_asked,
     status = murk_worst_bound_tighten(
         &w->bound, n, run->value, run->plan, run->size,
         is_plan_asked ? STEPS : STEPS_CURVE, ROUNDS, &w->upper, err);
-    if (status || murk_interrupted()) {
+    if (status || murk_must_finish()) {
         return status;
     }
     if (is_best && run->value < w->upper) {
@@ -317,7 +317,7 @@ static murk_status find_count(void *context, size_t n, const uint32_t *from,
     murk_status status = search_count(w, n, is_asked, from, err);
     const bool is_open =
         target == 0 || (run->value < target && w->upper >= target);
-    if (!status && is_asked && is_open && !murk_interrupted()) {
+    if (!status && is_asked && is_open && !murk_must_finish()) {
         status = branch_and_bound(w, n, err);
     }
     *point = (murk_curve_point){run->size, run->value, w->upper};

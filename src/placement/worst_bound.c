@@ -227,7 +227,7 @@ murk_status murk_worst_bound_tighten(murk_worst_bound *b, size_t n,
     uint64_t lowest =
         bound_here(b, n, lower, plan, plan_count, plan ? rounds * 2 : rounds);
     memcpy(b->lowest_lambda, b->lambda, sizeof b->lambda);
-    for (size_t t = 0; t < steps && lowest > lower && !murk_interrupted();
+    for (size_t t = 0; t < steps && lowest > lower && !murk_must_finish();
          ++t) {
         double share[MURK_BLOCKS_MAX];
         /* Step; the last evaluation is at the mean of all lambda, which mirror

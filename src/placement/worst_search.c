@@ -217,7 +217,7 @@ uint64_t murk_worst_greedy(murk_worst_search *s,
     return objective_with(s, &MURK_MINIMUM_FIRST, NULL).first;
 }
 
-/* Relocates single sensors until no sensor moves. */
+/* Relocates single sensors until no sensor moves, or until asked to finish. */
 static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
 {
     const size_t fixed = murk_fixed_count(s->evaluator->set);
@@ -225,7 +225,7 @@ static void relocate_sensors(murk_worst_search *s, uint32_t *plan, size_t n)
     size_t still = 0; /* sensors in a row that did not move */
     s->scan->is_move = true;
     reset_gain_bounds(s);
-    for (size_t at = 0; still < movers && !murk_interrupted();
+    for (size_t at = 0; still < movers && !murk_must_finish();
          at = (at + 1) % movers) {
         const size_t k = fixed + at;
         set_all_but(s, plan, n, k);

@@ -120,6 +120,7 @@ murk_status murk_explore_bound(murk_place_result *place,
     place->upper = all.upper;
     place->proven_optimal = place->value == place->upper;
     place->guarantee = "none";
+    place->is_interrupted = all.is_interrupted;
     place->fewest = all.fewest;
     place->ceiling = all.ceiling;
     place->after_presolve = all.after_presolve;

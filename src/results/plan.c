@@ -54,11 +54,12 @@ void murk_results_list_cut(murk_results_fields *f, const void *of)
     const murk_place_result *place = of;
     MURK_COUNT(f, "nodes", "of branch and bound", place->nodes);
     MURK_TEXT(f, "cut_by",
-              "null, or the limit that ended the search: nodes (of branch "
-              "and bound, over all counts together) or work",
-              place->is_cut        ? "nodes"
-              : place->is_work_cut ? "work"
-                                   : NULL);
+              "null, or what ended the search: interrupt, or a limit: nodes "
+              "(of branch and bound, over all counts together) or work",
+              place->is_interrupted ? "interrupt"
+              : place->is_cut       ? "nodes"
+              : place->is_work_cut  ? "work"
+                                    : NULL);
 }
 
 void murk_results_list_budget(murk_results_fields *f, const void *of)
@@ -247,6 +248,15 @@ murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
 
 /* ---- the summary ---- */
 
+static void print_interrupt(const murk_place_result *place)
+{
+    if (place->is_interrupted) {
+        murk_print("            the search was interrupted: the plan and the "
+                   "bound are those reached so far, and another run may give "
+                   "others\n");
+    }
+}
+
 void murk_print_bound(const murk_place_result *place, bool has_budget,
                       const char *sample)
 {
@@ -262,8 +272,9 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
                    what, murk_share(place->upper, place->whole), sample,
                    place->guarantee);
     }
-    /* Limits that ended the search. */
-    if (place->is_cut) {
+    /* What ended the search. */
+    print_interrupt(place);
+    if (place->is_cut && !place->is_interrupted) {
         murk_print("            branch and bound ended by placement.nodes "
                    "after %llu: the bound is the one reached so far\n",
                    (unsigned long long)place->nodes);
@@ -331,6 +342,7 @@ static void print_plan_bound(const murk_session *session,
 {
     if (session->scene->placement.over == MURK_SCENE_OBJECTIVE_REGRET) {
         murk_print_regret_bound(conditions, murk_sample_of(session->scene));
+        print_interrupt(&plan->place);
     } else {
         const size_t at_least = murk_plan_at_least(session->scene);
         char sample[80];

@@ -1,6 +1,7 @@
 /* Three contexts in three threads, side by side. Each has its own progress and
  * its own request to stop: one is cancelled, and the two others get the results
- * that one context alone gets. */
+ * that one context alone gets. Then a context whose search for a plan is asked
+ * to finish. */
 #include "checks.h"
 
 #include <pthread.h>
@@ -85,6 +86,63 @@ static void *cancelled(void *argument)
     return NULL;
 }
 
+/* What a caller that asks the search to finish has seen. */
+typedef struct asking {
+    murk_context *context;
+    int taken, refused;
+} asking;
+
+/* Asks at each call: the request is taken once, and only by the search. */
+static void ask_to_finish(void *user, const murk_progress *state)
+{
+    asking *a = user;
+    const bool is_search = !strcmp(state->step, "place");
+    const bool is_taken = murk_context_finish(a->context);
+    CHECK(!is_taken || (is_search || !strcmp(state->step, "weigh")));
+    CHECK(!is_taken || a->taken == 0);
+    a->taken += is_taken;
+    a->refused += !is_taken;
+}
+
+/* A search that would take some minutes is asked to finish, and the call gives
+ * a plan of the wanted number that says so. */
+static void check_finish(void)
+{
+    asking a = {0};
+    const murk_context_options options = {
+        .size = sizeof options, .progress = ask_to_finish, .user = &a};
+    murk_error error = MURK_ERROR_NONE;
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_plan *made = NULL;
+    const murk_fields *fields = NULL;
+    const char *cut_by = NULL;
+    /* Without a search there is nothing to finish. */
+    CHECK(!murk_context_finish(NULL));
+    CHECK(murk_context_create(&a.context, &options, &error) == MURK_OK);
+    CHECK(!murk_context_finish(a.context));
+    CHECK(murk_scene_parse(&scene, a.context, fog, "fog.yaml", &error) ==
+          MURK_OK);
+    CHECK(murk_scene_set(scene, "sensors.count", "12", &error) == MURK_OK);
+    CHECK(murk_scene_set(scene, "placement.detection", "independent", &error) ==
+          MURK_OK);
+    CHECK(murk_scene_set(scene, "placement.nodes", "1e15", &error) == MURK_OK);
+    CHECK(murk_world_create(&world, scene, &error) == MURK_OK);
+    CHECK(murk_plan_make(&made, world, &error) == MURK_OK);
+    /* The plan is whole and marked. */
+    CHECK(a.taken == 1 && a.refused > 1);
+    CHECK(murk_plan_fields(made, &fields, &error) == MURK_OK);
+    CHECK(murk_fields_length(fields, "sensors") == 12);
+    CHECK(murk_fields_string(fields, "placement.cut_by", &cut_by, &error) ==
+          MURK_OK);
+    CHECK(cut_by && !strcmp(cut_by, "interrupt"));
+    CHECK(!murk_context_finish(a.context));
+    murk_plan_destroy(made);
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+    murk_context_destroy(a.context);
+}
+
 int main(void)
 {
     job alone = {.threads = 2}, first = {.threads = 1}, second = {.threads = 2};
@@ -106,5 +164,6 @@ int main(void)
     free(alone.json);
     free(first.json);
     free(second.json);
+    check_finish();
     return 0;
 }

@@ -355,7 +355,6 @@ interrupted() {
 }
 interrupted 1 trace "$dir/good.yaml" --emit 4e9 --set photons.maps=none
 interrupted 2 place scenes/fog-yard.yaml --emit 200000 # while it looks
-interrupted 2 place scenes/fog-yard.yaml --emit 1000 --count 20 --set placement.restarts=1000000 # while it searches
 
 # ---- repeated runs: what is finished is kept ----
 expect 2 "--repeat: 0, must be a whole number 1..10000" place "$dir/good.yaml" --repeat 0

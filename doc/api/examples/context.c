@@ -1,5 +1,5 @@
 /* A context with two threads, messages and progress of its own; a call that is
- * cancelled; and a page of results. */
+ * cancelled; a search that would be asked to finish; and a page of results. */
 #include "example.h"
 
 #include <string.h>
@@ -45,6 +45,11 @@ int main(void)
     const murk_status status = murk_light_trace(&light, world, NULL);
     printf("%s\n", murk_status_text(status));
     must(murk_light_trace(&light, world, &error), &error);
+    /* Such a handler asks a search for a plan to finish, and cancels what else
+     * runs. Here no search runs. */
+    if (!murk_context_finish(context)) {
+        printf("no search\n");
+    }
     must(murk_light_save(light, "results", NULL, NULL, &error), &error);
     must(
         murk_context_write_report(context, "results", NULL, NULL, NULL, &error),
@@ -60,5 +65,6 @@ int main(void)
 /* Prints:
  *
  * interrupted
+ * no search
  * warnings: 0
  */
