@@ -76,13 +76,12 @@ static inline bool murk_clip_axis(double low, double high, double origin,
     return *t0 < *t1;
 }
 
-/* floor(place), clamped to first..last; first if `place` is NaN. Without a
- * branch, because which of the three it is can rarely be predicted. */
 static inline int32_t murk_voxel_at(double place, int32_t first, int32_t last)
 {
-    const double in = murk_smaller(murk_larger(place, first), last);
-    const int32_t voxel = (int32_t)in; /* towards 0 */
-    return voxel - (in < voxel);
+    if (!(place > first)) {
+        return first;
+    }
+    return place >= last ? last : (int32_t)floor(place);
 }
 
 /* Clips [*t0, *t1] to the box of active voxels, enlarged by `below` voxels at
@@ -132,10 +131,10 @@ static inline void murk_grid_ray_cross(murk_grid_ray *r, const int32_t first[3],
     }
     murk_grid_ray_place(r, first, last, min);
     for (int axis = 0; axis < 3; ++axis) {
-        const int32_t beyond =
-            r->inverse[axis] > 0 ? last[axis] + 1 : first[axis] - 1;
-        const bool leaves = (leave[axis] <= min) & (r->inverse[axis] != 0);
-        r->at[axis] = leaves ? beyond : r->at[axis];
+        if (leave[axis] <= min && r->inverse[axis] != 0) {
+            r->at[axis] =
+                r->inverse[axis] > 0 ? last[axis] + 1 : first[axis] - 1;
+        }
     }
     r->to = murk_smaller(murk_larger(min, r->from), r->end);
 }
