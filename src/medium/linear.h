@@ -59,18 +59,20 @@ bool murk_linear_integrate(murk_linear *linear, double scale, double offset,
 
 /* True if the tree is not empty and p is in the box of the field; *density is
  * then the field there. */
-bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density);
+bool murk_linear_density(const murk_linear_blocks *blocks, murk_vec3 p,
+                         double *density);
 
 /* Begins the segment in the cell at[]: crosses it outside of leaves (false), or
  * enters the block of the cell (true). */
 bool murk_linear_enter(murk_linear *linear);
 
-/* The values at the corners of a cell in a block, from that at the lowest
- * corner on; sets corner[]. */
-static inline void murk_linear_load_corners(murk_linear *m, const float *lowest)
+/* Reads the values at the corners of a cell in a block, from that at the lowest
+ * corner on. */
+static inline void murk_linear_load_corners(double corner[8],
+                                            const float *lowest)
 {
     for (int i = 0; i < 8; ++i) {
-        m->corner[i] = (double)lowest[MURK_CELL_AT(i >> 2, i >> 1 & 1, i & 1)];
+        corner[i] = (double)lowest[MURK_CELL_AT(i >> 2, i >> 1 & 1, i & 1)];
     }
 }
 

@@ -95,7 +95,7 @@ static void stop_in_cell(murk_linear *m, const cells *c, size_t i, tally *sum)
     for (int axis = 0; axis < 3; ++axis) {
         m->low[axis] = (double)block->first[axis] + in_block[axis];
     }
-    murk_linear_load_corners(m, c->corner[i]);
+    murk_linear_load_corners(m->corner, c->corner[i]);
     m->ray.from = c->from[i];
     m->ray.to = c->to[i];
     stop_in_segment(m, sum, c->mean[i]);

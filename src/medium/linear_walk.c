@@ -40,7 +40,8 @@ static void cross_cell(murk_linear *m)
 {
     const int *in = m->ray.in_block;
     const float *value = murk_linear_values(m->blocks, m->block);
-    murk_linear_load_corners(m, &value[MURK_CELL_AT(in[0], in[1], in[2])]);
+    murk_linear_load_corners(m->corner,
+                             &value[MURK_CELL_AT(in[0], in[1], in[2])]);
     for (int axis = 0; axis < 3; ++axis) {
         m->low[axis] = (double)m->ray.block_first[axis] + in[axis];
     }
@@ -90,14 +91,25 @@ murk_cubic murk_linear_cubic(const murk_linear *linear, double t0, double t1)
     return murk_cubic_in_cell(linear->corner, a, b);
 }
 
-bool murk_linear_density(const murk_tree *tree, murk_vec3 p, double *density)
+bool murk_linear_density(const murk_linear_blocks *blocks, murk_vec3 p,
+                         double *density)
 {
+    const murk_tree *tree = blocks->tree;
     int32_t cell[3];
     double in[3], corner[8];
     if (!murk_tree_voxel_at(tree, 1, p, cell, in)) {
         return false;
     }
-    murk_tree_corners(tree, cell, corner);
+    /* The corners from the block of the cell, or of constant nodes. */
+    const int32_t first[3] = {cell[0] & ~7, cell[1] & ~7, cell[2] & ~7};
+    const murk_linear_block *block = murk_linear_block_at(blocks, first);
+    if (block) {
+        murk_linear_load_corners(
+            corner, murk_linear_values(blocks, block) +
+                        MURK_CELL_AT(cell[0] & 7, cell[1] & 7, cell[2] & 7));
+    } else {
+        murk_tree_corners(tree, cell, corner);
+    }
     const murk_cubic there = murk_cubic_in_cell(corner, in, in);
     *density = murk_cubic_value(&there, 0);
     return tree->n_cells > 0;

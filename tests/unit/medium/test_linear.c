@@ -180,7 +180,6 @@ static void test_random_rays_agree_with_the_twin(uint32_t seed)
 static void test_the_field_at_points(uint32_t seed)
 {
     field grid = make(true);
-    const murk_tree *tree = grid.blocks.tree;
     for (uint64_t i = 0; i < 20; ++i) {
         const line l = random_line(seed, i);
         const int n = 20000;
@@ -189,15 +188,15 @@ static void test_the_field_at_points(uint32_t seed)
             const murk_vec3 p =
                 murk_along(l.from, (k + 0.5) * l.length / n, l.along);
             double value = 0;
-            murk_linear_density(tree, p, &value);
+            murk_linear_density(&grid.blocks, p, &value);
             CHECK_NEAR(value, plain_linear_field(&PLAIN, p), 1e-14);
             sum += value * l.length / n;
         }
         CHECK_NEAR(whole_depth(&grid, &l), sum, 1e-4);
     }
     double value = 7;
-    CHECK(!murk_linear_density(tree, murk_vec(NAN, 5, 5), &value));
-    CHECK(!murk_linear_density(tree, murk_vec(1e300, 5, 5), &value));
+    CHECK(!murk_linear_density(&grid.blocks, murk_vec(NAN, 5, 5), &value));
+    CHECK(!murk_linear_density(&grid.blocks, murk_vec(1e300, 5, 5), &value));
     release(&grid);
 }
 
