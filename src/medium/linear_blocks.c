@@ -182,6 +182,7 @@ murk_status murk_linear_blocks_make(murk_linear_blocks *blocks,
     if (!murk_lane_set_chosen(&made.set)) {
         made.set = MURK_LANES_BASELINE;
     }
+    /* The blocks, and memory for their values. */
     bool is_made = add_tree(&made, tree);
     if (is_made && made.n > 0) {
         made.value = calloc(made.n * MURK_BLOCK_VALUES, sizeof *made.value);
@@ -192,6 +193,7 @@ murk_status murk_linear_blocks_make(murk_linear_blocks *blocks,
         return murk_no_memory(err, where,
                               "for the linear interpolation of a grid");
     }
+    /* The values. */
     murk_tree_cursor cursor = {.tree = tree};
     for (size_t i = 0; i < made.n; ++i) {
         murk_linear_block *block = &made.block[i];
