@@ -309,7 +309,12 @@ static void test_all_sets_give_the_same_bits(uint32_t seed)
         CHECK(other.blocks.set == set);
         int stops = 0;
         for (uint64_t i = 0; i < 3000; ++i) {
-            const line l = random_line(seed, i);
+            line l = random_line(seed, i);
+            /* Far away, so that rounding takes places out of their cells. */
+            if (i % 2 == 0) {
+                l.from = murk_along(l.from, -1e14, l.along);
+                l.length += 1e14;
+            }
             const murk_random4 u = murk_random(seed, MURK_TEST, i, 4, 0);
             const double limit = i % 3 == 0 ? INFINITY : -3 * log(u.u[0]);
             double t[2], value[2] = {0, 0};
@@ -321,8 +326,34 @@ static void test_all_sets_give_the_same_bits(uint32_t seed)
         CHECK(stops > 100);
         release(&other);
     }
-    unsetenv("MURK_LANES");
     release(&base);
+    /* Without lanes the baseline counts. */
+    setenv("MURK_LANES", "off", 1);
+    base = make(true);
+    CHECK(base.blocks.set == MURK_LANES_BASELINE);
+    release(&base);
+    unsetenv("MURK_LANES");
+}
+
+/* A constant beside the field counts in all cells, also where the field is
+ * 0. */
+static void test_a_constant_is_added(uint32_t seed)
+{
+    const double constant = 0.25;
+    field grid = make(true);
+    for (uint64_t i = 0; i < 200; ++i) {
+        const line l = random_line(seed, i);
+        double from = 0, to = l.length, sum = 0;
+        if (!murk_grid_clip(grid.blocks.tree, 1, l.from, l.along, &from, &to)) {
+            continue;
+        }
+        murk_linear walk;
+        murk_linear_begin(&walk, &grid.blocks, l.from, l.along, from, to);
+        CHECK(!murk_linear_integrate(&walk, 2, constant, INFINITY, &sum));
+        CHECK_NEAR(sum, 2 * whole_depth(&grid, &l) + constant * (to - from),
+                   1e-12);
+    }
+    release(&grid);
 }
 
 static double reached(const murk_cubic *c, double share)
@@ -369,6 +400,7 @@ int main(int argc, char **argv)
     test_the_field_at_points(seed);
     test_flight_and_depth_are_one_crossing(seed);
     test_all_sets_give_the_same_bits(seed);
+    test_a_constant_is_added(seed);
     test_tiles_of_every_size();
     test_a_sparse_box_is_never_walked_through();
     test_the_root_of_a_cubic();
