@@ -55,8 +55,8 @@ static inline double density_at(grid_track *k, double t)
                           r->origin[2] + t * r->direction[2]};
     if (k->place->filling == MURK_FILLED_BY_LINEAR) {
         double density = 0;
-        return murk_linear_density(tree, murk_vec(at[0], at[1], at[2]),
-                                   &density)
+        return murk_linear_density(k->place->blocks,
+                                   murk_vec(at[0], at[1], at[2]), &density)
                    ? density
                    : 0;
     }

@@ -27,7 +27,7 @@ void murk_density_walk_begin(murk_density_walk *walk, const murk_place *place,
     if (place->filling == MURK_FILLED_BY_NEAREST) {
         murk_march_begin(&walk->in.march, place->tree, o, d, t0, t1);
     } else {
-        murk_linear_begin(&walk->in.linear, place->tree, o, d, t0, t1);
+        murk_linear_begin(&walk->in.linear, place->blocks, o, d, t0, t1);
     }
 }
 

@@ -40,7 +40,6 @@ struct murk_grid {
     murk_grid_facts facts;
     unsigned char *buffer; /* the NanoVDB grid; NULL if no voxel is active */
     murk_tree tree;
-    murk_leaf_table leaves; /* of the tree; none for albedos */
 };
 
 /* The request to the subprocess: a file, or dense samples. */
@@ -218,9 +217,6 @@ static murk_status build_received(murk_grid **out, const unsigned char *sent,
     }
     if (status) {
         goto done;
-    }
-    if (!is_albedo) {
-        grid->leaves = murk_leaf_table_made(&grid->tree, grid->buffer);
     }
     /* Inactive voxels with a value often mean a mistake in the file. */
     if (facts.cleared > 0) {
@@ -410,7 +406,6 @@ murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],
 void murk_grid_destroy(murk_grid *grid)
 {
     if (grid) {
-        murk_leaf_table_release(&grid->leaves);
         murk_tree_close(&grid->tree);
         free(grid->buffer);
         free(grid);
@@ -430,11 +425,6 @@ const void *murk_grid_nanovdb(const murk_grid *grid)
 const murk_tree *murk_grid_tree(const murk_grid *grid)
 {
     return &grid->tree;
-}
-
-const murk_leaf_table *murk_grid_leaves(const murk_grid *grid)
-{
-    return &grid->leaves;
 }
 
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k)

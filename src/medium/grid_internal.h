@@ -4,7 +4,7 @@
 
 #include "base/status.h"
 #include "base/vector.h"
-#include "medium/leaf_table.h"
+#include "medium/tree.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -13,9 +13,6 @@ struct murk_grid;
 
 /* The tree of a grid. */
 const murk_tree *murk_grid_tree(const struct murk_grid *grid);
-
-/* The table of the leaves of a grid, which may be empty. */
-const murk_leaf_table *murk_grid_leaves(const struct murk_grid *grid);
 
 /* 2^31 voxels are 8 GB of floats; indices in a grid have 32 bits. */
 #define MURK_VOXELS_MAX ((size_t)1 << 31)

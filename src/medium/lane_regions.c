@@ -2,7 +2,6 @@
  * (medium/lane_regions.h). */
 #include "medium/lane_regions.h"
 
-#include "medium/grid_internal.h"
 #include "medium/media_parts.h"
 
 /* The shape of a place; false if it is none of the shapes that several rays are
@@ -31,8 +30,8 @@ static bool shape_of(const murk_place *place, murk_lane_shape *shape)
 
 /* Adds the filling of a place; false if several rays cannot be followed through
  * it at once. */
-static bool add_filling(const murk_place *place, const struct murk_grid *grid,
-                        murk_lane_regions *regions, murk_lane_region *region)
+static bool add_filling(const murk_place *place, murk_lane_regions *regions,
+                        murk_lane_region *region)
 {
     if (place->filling == MURK_FILLED_EVENLY) {
         return true;
@@ -41,13 +40,13 @@ static bool add_filling(const murk_place *place, const struct murk_grid *grid,
      * segments (free_flight.c). */
     const bool is_filled = !place->replaces || place->shape == MURK_REGION_GRID;
     if (place->filling != MURK_FILLED_BY_NEAREST || regions->has_grid ||
-        !is_filled || !murk_grid_leaves(grid)->leaf) {
+        !is_filled || !place->leaves->leaf) {
         return false;
     }
     region->is_grid = true;
     regions->has_grid = true;
     regions->grid =
-        (murk_lane_grid){place->tree, murk_grid_leaves(grid), place->to_index};
+        (murk_lane_grid){place->tree, place->leaves, place->to_index};
     return true;
 }
 
@@ -68,7 +67,7 @@ static bool add_region(const murk_media *media, const murk_place *place,
                                  .replaces = place->replaces,
                                  .medium = place->medium};
     return !medium->albedo_grid && shape_of(place, &region->shape) &&
-           add_filling(place, medium->grid, regions, region);
+           add_filling(place, regions, region);
 }
 
 bool murk_media_lane_regions(const murk_media *media,

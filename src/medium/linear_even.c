@@ -42,10 +42,8 @@ static bool find_even_box(murk_linear *m, even_box *box)
         int32_t min = box->size;
         box->behind = axes_at_end(m->ray.at, box->size);
         /* The nodes behind the ends, and the smallest size among them. */
-        for (unsigned which = 1; which < 8; ++which) {
-            if (which & ~box->behind) {
-                continue;
-            }
+        const unsigned behind = box->behind;
+        for (unsigned which = behind; which > 0; which = (which - 1) & behind) {
             const int32_t voxel[3] = {m->ray.at[0] + (int32_t)(which >> 2),
                                       m->ray.at[1] + (int32_t)(which >> 1 & 1),
                                       m->ray.at[2] + (int32_t)(which & 1)};
@@ -67,9 +65,12 @@ static bool find_even_box(murk_linear *m, even_box *box)
 
 static bool is_nothing(const even_box *box)
 {
-    bool is_zero = box->size == MURK_ROOT_CELL;
+    if (box->size != MURK_ROOT_CELL) {
+        return false;
+    }
+    bool is_zero = true;
     for (unsigned which = 0; which < 8; ++which) {
-        is_zero &= (which & ~box->behind) || box->value[which] == 0;
+        is_zero &= box->value[which & box->behind] == 0;
     }
     return is_zero;
 }
@@ -78,13 +79,11 @@ static void cross_even_box(murk_linear *m, const even_box *box)
 {
     int32_t first[3], last[3];
     for (int axis = 0; axis < 3; ++axis) {
-        const int32_t end = m->ray.at[axis] | (box->size - 1);
-        first[axis] = m->ray.at[axis] & ~(box->size - 1);
-        last[axis] = end - 1;
-        if (box->behind & (4U >> axis)) {
-            first[axis] = last[axis] = m->ray.at[axis];
-        }
-        m->low[axis] = m->ray.at[axis];
+        const int32_t at = m->ray.at[axis], size = box->size;
+        const bool is_at_end = box->behind & (4U >> axis);
+        first[axis] = is_at_end ? at : at & ~(size - 1);
+        last[axis] = is_at_end ? at : (at | (size - 1)) - 1;
+        m->low[axis] = at;
     }
     for (unsigned which = 0; which < 8; ++which) {
         m->corner[which] = (double)box->value[which & box->behind];

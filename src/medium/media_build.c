@@ -218,6 +218,30 @@ static bool has_no_density(const murk_medium *medium, int band)
     return is_empty;
 }
 
+/* Finds the tables for walks through the grid of a place. */
+static murk_status find_tables(murk_media *media, murk_place *place,
+                               const char *where, murk_error *err)
+{
+    murk_grid_tables *tables = &media->tables[place->medium];
+    const murk_grid *grid = media->media[place->medium].grid;
+    murk_status status = MURK_OK;
+    if (place->filling == MURK_FILLED_BY_NEAREST) {
+        place->leaves = &tables->leaves;
+        if (!tables->are_made) {
+            tables->leaves =
+                murk_leaf_table_made(place->tree, murk_grid_nanovdb(grid));
+        }
+    } else if (place->filling == MURK_FILLED_BY_LINEAR) {
+        place->blocks = &tables->blocks;
+        if (!tables->are_made) {
+            status = murk_linear_blocks_make(&tables->blocks, place->tree,
+                                             where, err);
+        }
+    }
+    tables->are_made = true;
+    return status;
+}
+
 static murk_status place_all(murk_media *media, const murk_region *regions,
                              size_t n_regions, const murk_box *domain,
                              murk_error *err)
@@ -232,6 +256,10 @@ static murk_status place_all(murk_media *media, const murk_region *regions,
                              "above 0 and all numbers finite");
         }
         ++media->n_places;
+        const murk_status status = find_tables(media, place, where, err);
+        if (status) {
+            return status;
+        }
         /* A box around the domain, and a region outside of it. */
         place->is_around = place->shape == MURK_REGION_BOX &&
                            !place->is_moved &&
@@ -326,10 +354,12 @@ murk_status murk_media_create(murk_media **out, const murk_medium *media,
     made = calloc(1, sizeof *made);
     if (made) {
         made->media = calloc(n_media + 1, sizeof *made->media);
+        made->tables = calloc(n_media + 1, sizeof *made->tables);
         made->places = calloc(n_regions + 1, sizeof *made->places);
         made->boundaries = calloc(n_regions + 1, sizeof *made->boundaries);
     }
-    if (!made || !made->media || !made->places || !made->boundaries) {
+    if (!made || !made->media || !made->tables || !made->places ||
+        !made->boundaries) {
         status = murk_no_memory(err, "regions", "for %zu regions", n_regions);
         goto done;
     }
@@ -358,6 +388,11 @@ static void release_places(murk_media *media)
     for (size_t i = 0; media->places && i < media->n_places; ++i) {
         murk_bricks_destroy(media->places[i].bricks);
     }
+    for (size_t i = 0; media->tables && i < media->n_media; ++i) {
+        murk_leaf_table_release(&media->tables[i].leaves);
+        murk_linear_blocks_release(&media->tables[i].blocks);
+    }
+    free(media->tables);
     free(media->places);
     free(media->boundaries);
 }

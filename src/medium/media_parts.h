@@ -9,9 +9,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* The tables for walks through the grid of a medium, by the interpolation. The
+ * first region of the medium makes them. */
+typedef struct murk_grid_tables {
+    bool are_made;
+    murk_leaf_table leaves;    /* nearest neighbour; may be empty */
+    murk_linear_blocks blocks; /* linear */
+} murk_grid_tables;
+
 struct murk_media {
     murk_medium *media;
     size_t n_media;
+    murk_grid_tables *tables; /* [n_media] */
     murk_place *places;
     size_t n_places;
     murk_region_boundary *boundaries; /* boundaries of the regions with an

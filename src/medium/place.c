@@ -201,7 +201,7 @@ static bool filling_at(const murk_place *place, int band, murk_vec3 at,
     case MURK_FILLED_BY_LINEAR:
         at = is_grid ? at : murk_affine_point(&place->to_index, p);
         return place->filling == MURK_FILLED_BY_LINEAR
-                   ? murk_linear_density(place->tree, at, density)
+                   ? murk_linear_density(place->blocks, at, density)
                    : murk_tree_density(place->tree, at, density);
     case MURK_FILLED_BY_LAYERS:
         return murk_layers_density(place->profile, band, at.z, density);

@@ -11,6 +11,8 @@
 
 #include "base/vector.h"
 #include "medium/bricks.h"
+#include "medium/leaf_table.h"
+#include "medium/linear_blocks.h"
 #include "medium/media.h"
 #include "medium/tree.h"
 
@@ -45,6 +47,10 @@ typedef struct murk_place {
      * lies between the centres of voxels i and i + 1. */
     murk_affine to_index;
     const murk_tree *tree;
+    /* Grids: the tables for walks, owned by the murk_media; NULL if they belong
+     * to the other interpolation. */
+    const murk_leaf_table *leaves;
+    const murk_linear_blocks *blocks;
     murk_affine
         to_albedo; /* to the index space of the albedo grid, not shifted */
     murk_bricks *bricks; /* majorants of a grid, once computed for delta

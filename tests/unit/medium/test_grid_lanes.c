@@ -133,9 +133,10 @@ static int compare(const murk_grid_lanes *g, const murk_lane_grid *grid,
 static void test_grid(murk_lane_set set, murk_grid *given,
                       const murk_affine *to_world)
 {
-    murk_lane_grid grid = {.tree = murk_grid_tree(given),
-                           .leaves = murk_grid_leaves(given)};
-    CHECK(grid.leaves->leaf != NULL);
+    murk_leaf_table leaves =
+        murk_leaf_table_made(murk_grid_tree(given), murk_grid_nanovdb(given));
+    murk_lane_grid grid = {.tree = murk_grid_tree(given), .leaves = &leaves};
+    CHECK(leaves.leaf != NULL);
     CHECK(murk_affine_invert(to_world, &grid.to_index));
     grid.to_index.shift =
         murk_add(grid.to_index.shift, murk_vec(0.5, 0.5, 0.5));
@@ -175,6 +176,7 @@ static void test_grid(murk_lane_set set, murk_grid *given,
     }
     CHECK(stops > ROUNDS / 8 && ends > ROUNDS / 8);
     free(g);
+    murk_leaf_table_release(&leaves);
     murk_grid_destroy(given);
 }
 
@@ -202,7 +204,8 @@ static murk_grid *uniform(size_t size, const murk_affine *to_world)
 static void test_sparse_grid(void)
 {
     murk_grid *grid = read("tests/unit/medium/grids/wide.vdb");
-    CHECK(murk_grid_leaves(grid)->leaf == NULL);
+    CHECK(!murk_leaf_table_made(murk_grid_tree(grid), murk_grid_nanovdb(grid))
+               .leaf);
     murk_grid_destroy(grid);
 }
 

@@ -3,6 +3,7 @@
  * largest depth involved. */
 #include "base/rng.h"
 #include "check.h"
+#include "lane_sets.h"
 #include "medium/grid.h"
 #include "medium/grid_internal.h"
 #include "medium/linear.h"
@@ -45,7 +46,29 @@ static void fill_samples(uint32_t seed)
     }
 }
 
-static murk_grid *make(bool as_tiles)
+/* A grid with its blocks of cells. */
+typedef struct field {
+    murk_grid *grid;
+    murk_linear_blocks blocks;
+} field;
+
+static field of_grid(murk_grid *grid)
+{
+    field made = {.grid = grid};
+    murk_error err = {0};
+    CHECK(murk_linear_blocks_make(&made.blocks, murk_grid_tree(grid), "test",
+                                  &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    return made;
+}
+
+static void release(field *made)
+{
+    murk_linear_blocks_release(&made->blocks);
+    murk_grid_destroy(made->grid);
+}
+
+static field make(bool as_tiles)
 {
     const murk_affine identity = murk_affine_identity();
     murk_grid *grid = NULL;
@@ -53,7 +76,7 @@ static murk_grid *make(bool as_tiles)
     CHECK(murk_grid_make(&grid, SIZE, samples, &identity, as_tiles, "test",
                          &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
-    return grid;
+    return of_grid(grid);
 }
 
 typedef struct line {
@@ -62,37 +85,35 @@ typedef struct line {
 } line;
 
 /* The depth, or, with a limit, *t where it is reached and the field there. */
-static double depth(const murk_grid *grid, const line *l, double limit,
-                    double *t, double *field)
+static double depth(const field *in, const line *l, double limit, double *t,
+                    double *value)
 {
-    const murk_tree *tree = murk_grid_tree(grid);
     double from = 0, to = l->length, sum = 0;
     *t = INFINITY;
-    if (murk_grid_clip(tree, 1, l->from, l->along, &from, &to)) {
+    if (murk_grid_clip(in->blocks.tree, 1, l->from, l->along, &from, &to)) {
         murk_linear walk;
-        murk_linear_begin(&walk, tree, l->from, l->along, from, to);
+        murk_linear_begin(&walk, &in->blocks, l->from, l->along, from, to);
         if (murk_linear_integrate(&walk, 1, 0, limit, &sum)) {
             *t = walk.ray.to;
-            *field = walk.value;
+            *value = walk.value;
         }
     }
     return sum;
 }
 
-static double whole_depth(const murk_grid *grid, const line *l)
+static double whole_depth(const field *in, const line *l)
 {
-    double t, field;
-    return depth(grid, l, INFINITY, &t, &field);
+    double t, value;
+    return depth(in, l, INFINITY, &t, &value);
 }
 
 /* The same, segment by segment. */
-static double depth_by_segments(const murk_grid *grid, const line *l)
+static double depth_by_segments(const field *in, const line *l)
 {
-    const murk_tree *tree = murk_grid_tree(grid);
     double from = 0, to = l->length, sum = 0;
-    if (murk_grid_clip(tree, 1, l->from, l->along, &from, &to)) {
+    if (murk_grid_clip(in->blocks.tree, 1, l->from, l->along, &from, &to)) {
         murk_linear walk;
-        murk_linear_begin(&walk, tree, l->from, l->along, from, to);
+        murk_linear_begin(&walk, &in->blocks, l->from, l->along, from, to);
         double last = from;
         while (murk_linear_next(&walk)) {
             CHECK(walk.ray.from == last && walk.ray.to >= walk.ray.from);
@@ -132,25 +153,25 @@ static line random_line(uint32_t seed, uint64_t i)
 
 static void test_random_rays_agree_with_the_twin(uint32_t seed)
 {
-    murk_grid *tiles = make(true), *leaves = make(false);
+    field tiles = make(true), leaves = make(false);
     double total = 0;
     for (uint64_t i = 0; i < 600; ++i) {
         line l = random_line(seed, i);
         const double want =
             plain_linear_integral(&PLAIN, l.from, l.along, l.length);
-        const double got = whole_depth(tiles, &l);
+        const double got = whole_depth(&tiles, &l);
         CHECK_NEAR(got, want, 1e-12);
-        CHECK_NEAR(whole_depth(leaves, &l), want, 1e-12);
-        CHECK_NEAR(depth_by_segments(tiles, &l), want, 1e-12);
+        CHECK_NEAR(whole_depth(&leaves, &l), want, 1e-12);
+        CHECK_NEAR(depth_by_segments(&tiles, &l), want, 1e-12);
         /* A direction of another length is another parameter. */
         l.along = murk_scale(4, l.along);
         l.length /= 4;
-        CHECK_NEAR(whole_depth(tiles, &l), got / 4, 1e-12);
+        CHECK_NEAR(whole_depth(&tiles, &l), got / 4, 1e-12);
         total += got;
     }
     CHECK(total > 100);
-    murk_grid_destroy(tiles);
-    murk_grid_destroy(leaves);
+    release(&tiles);
+    release(&leaves);
 }
 
 /* The midpoint rule on n points errs by at most length^3 |f''| / 24 n^2 in
@@ -158,8 +179,7 @@ static void test_random_rays_agree_with_the_twin(uint32_t seed)
  * check of the twin itself, and of the field at points. */
 static void test_the_field_at_points(uint32_t seed)
 {
-    murk_grid *grid = make(true);
-    const murk_tree *tree = murk_grid_tree(grid);
+    field grid = make(true);
     for (uint64_t i = 0; i < 20; ++i) {
         const line l = random_line(seed, i);
         const int n = 20000;
@@ -167,49 +187,49 @@ static void test_the_field_at_points(uint32_t seed)
         for (int k = 0; k < n; ++k) {
             const murk_vec3 p =
                 murk_along(l.from, (k + 0.5) * l.length / n, l.along);
-            double field = 0;
-            murk_linear_density(tree, p, &field);
-            CHECK_NEAR(field, plain_linear_field(&PLAIN, p), 1e-14);
-            sum += field * l.length / n;
+            double value = 0;
+            murk_linear_density(&grid.blocks, p, &value);
+            CHECK_NEAR(value, plain_linear_field(&PLAIN, p), 1e-14);
+            sum += value * l.length / n;
         }
-        CHECK_NEAR(whole_depth(grid, &l), sum, 1e-4);
+        CHECK_NEAR(whole_depth(&grid, &l), sum, 1e-4);
     }
-    double field = 7;
-    CHECK(!murk_linear_density(tree, murk_vec(NAN, 5, 5), &field));
-    CHECK(!murk_linear_density(tree, murk_vec(1e300, 5, 5), &field));
-    murk_grid_destroy(grid);
+    double value = 7;
+    CHECK(!murk_linear_density(&grid.blocks, murk_vec(NAN, 5, 5), &value));
+    CHECK(!murk_linear_density(&grid.blocks, murk_vec(1e300, 5, 5), &value));
+    release(&grid);
 }
 
 /* Where the flight stops, that much depth is behind it; parts add up. */
 static void test_flight_and_depth_are_one_crossing(uint32_t seed)
 {
-    murk_grid *grid = make(true);
+    field grid = make(true);
     for (uint64_t i = 0; i < 600; ++i) {
         line l = random_line(seed, i);
-        const double whole = whole_depth(grid, &l);
+        const double whole = whole_depth(&grid, &l);
         const double limit = whole * murk_random(seed, MURK_TEST, i, 3, 0).u[0];
         if (!(whole > 0)) {
             continue;
         }
-        double t, field, unused;
-        CHECK(depth(grid, &l, limit, &t, &field) == limit);
-        CHECK(t > 0 && t < l.length && field > 0);
+        double t, value, unused;
+        CHECK(depth(&grid, &l, limit, &t, &value) == limit);
+        CHECK(t > 0 && t < l.length && value > 0);
         const murk_vec3 stop = murk_along(l.from, t, l.along);
-        CHECK_NEAR(field, plain_linear_field(&PLAIN, stop), 1e-12);
+        CHECK_NEAR(value, plain_linear_field(&PLAIN, stop), 1e-12);
         const line before = {l.from, l.along, t};
         const line after = {stop, l.along, l.length - t};
-        CHECK_NEAR(whole_depth(grid, &before), limit, 1e-12);
-        CHECK_NEAR(whole_depth(grid, &after), whole - limit, 1e-12);
+        CHECK_NEAR(whole_depth(&grid, &before), limit, 1e-12);
+        CHECK_NEAR(whole_depth(&grid, &after), whole - limit, 1e-12);
         /* The very end, where the field may be 0. */
-        CHECK(depth(grid, &l, whole, &t, &field) == whole);
-        CHECK(t <= l.length && field > 0);
-        CHECK(depth(grid, &l, whole * (1 + 1e-9), &t, &unused) < whole * 2 &&
+        CHECK(depth(&grid, &l, whole, &t, &value) == whole);
+        CHECK(t <= l.length && value > 0);
+        CHECK(depth(&grid, &l, whole * (1 + 1e-9), &t, &unused) < whole * 2 &&
               t == INFINITY);
     }
-    murk_grid_destroy(grid);
+    release(&grid);
 }
 
-static murk_grid *reads(const char *file)
+static field reads(const char *file)
 {
     char path[128];
     snprintf(path, sizeof path, FOLDER "%s", file);
@@ -217,7 +237,7 @@ static murk_grid *reads(const char *file)
     murk_error err = {0};
     CHECK(murk_grid_read(&grid, path, NULL, "test", &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
-    return grid;
+    return of_grid(grid);
 }
 
 /* Along an axis through voxel centres the ramps at both ends make up for one
@@ -225,52 +245,115 @@ static murk_grid *reads(const char *file)
  * their mean. */
 static void test_tiles_of_every_size(void)
 {
-    murk_grid *grid = reads("tiles.vdb");
+    field grid = reads("tiles.vdb");
     line l = {murk_vec(-100, -4, -4), murk_vec(1, 0, 0), 1e4};
-    CHECK_NEAR(whole_depth(grid, &l), 3 * 8, 1e-9);
+    CHECK_NEAR(whole_depth(&grid, &l), 3 * 8, 1e-9);
     l.from = murk_vec(-100, -4, -0.5); /* half way down from the top layer */
-    CHECK_NEAR(whole_depth(grid, &l), 3 * 8 / 2.0, 1e-9);
+    CHECK_NEAR(whole_depth(&grid, &l), 3 * 8 / 2.0, 1e-9);
     l.from = murk_vec(-100, 0, 0);
-    CHECK_NEAR(whole_depth(grid, &l), 28 + 2 * 128 + 4096, 1e-9);
+    CHECK_NEAR(whole_depth(&grid, &l), 28 + 2 * 128 + 4096, 1e-9);
     l.from = murk_vec(-100, 0.25, 0.5); /* the row of 28 ends here */
-    CHECK_NEAR(whole_depth(grid, &l), 28 * 0.75 * 0.5 + 2 * 128 + 4096, 1e-9);
+    CHECK_NEAR(whole_depth(&grid, &l), 28 * 0.75 * 0.5 + 2 * 128 + 4096, 1e-9);
     l.from = murk_vec(8190, 4095.5, 2000); /* in the last cells of a tile */
     l.along = murk_vec(-1, 0, 0);
-    CHECK_NEAR(whole_depth(grid, &l), 0.5 * (8190 - 4096 + 0.5), 1e-9);
+    CHECK_NEAR(whole_depth(&grid, &l), 0.5 * (8190 - 4096 + 0.5), 1e-9);
     l.from = murk_vec(5000, 9, 9);
     l.length = 10;
-    CHECK_NEAR(whole_depth(grid, &l), 10, 1e-9);
+    CHECK_NEAR(whole_depth(&grid, &l), 10, 1e-9);
     /* Corner to corner of the largest tile, backwards: one cell of x y z and
      * one of (1 - x)(1 - y)(1 - z) at the ends. */
     l = (line){murk_vec(8192, 4096, 4096), murk_unit(murk_vec(-1, -1, -1)),
                4097 * sqrt(3)};
-    CHECK_NEAR(whole_depth(grid, &l), (4095 + 2 / 4.0) * sqrt(3), 1e-8);
-    double t, field;
-    CHECK(depth(grid, &l, 100, &t, &field) == 100 && field == 1);
+    CHECK_NEAR(whole_depth(&grid, &l), (4095 + 2 / 4.0) * sqrt(3), 1e-8);
+    double t, value;
+    CHECK(depth(&grid, &l, 100, &t, &value) == 100 && value == 1);
     CHECK_NEAR(t, 100 + 0.75 * sqrt(3), 1e-9);
-    murk_grid_destroy(grid);
+    release(&grid);
 }
 
 /* 2e9 voxels wide, two of them filled: nothing may cost by the width, along
  * whichever row, in the last cells below a node of the tree or elsewhere. */
 static void test_a_sparse_box_is_never_walked_through(void)
 {
-    murk_grid *grid = reads("wide.vdb");
+    field grid = reads("wide.vdb");
     for (int i = 0; i < 1000; ++i) {
         const double y = i & 1 ? -7 : -7.75, z = i & 2 ? 5 : 4.5;
         const line l = {murk_vec(-1000000009.0, y, z), murk_vec(1, 0, 0), 3e9};
         const double share = (1 - fabs(y + 7)) * (1 - fabs(z - 5));
-        CHECK_NEAR(whole_depth(grid, &l), 5 * share, 1e-6);
+        CHECK_NEAR(whole_depth(&grid, &l), 5 * share, 1e-6);
     }
     line l = {murk_vec(1000000000, -7, 5), murk_vec(1, 0, 0), 9};
-    CHECK(whole_depth(grid, &l) == 1.5);
+    CHECK(whole_depth(&grid, &l) == 1.5);
     l.from = murk_vec(-999999998.0, -7, 5);
     l.length = 1.9e9;
-    CHECK(whole_depth(grid, &l) == 0);
+    CHECK(whole_depth(&grid, &l) == 0);
     l = (line){murk_vec(-1e9, -6.5, 4.5), murk_unit(murk_vec(2e9, 1e-9, 0)),
                3e9};
-    CHECK_NEAR(whole_depth(grid, &l), 0.25 * (1 + 3), 1e-5);
-    murk_grid_destroy(grid);
+    CHECK_NEAR(whole_depth(&grid, &l), 0.25 * (1 + 3), 1e-5);
+    release(&grid);
+}
+
+/* Sums of depths along a ray with every set of vector instructions, and where
+ * it stops, against those of the baseline, to the bit. */
+static void test_all_sets_give_the_same_bits(uint32_t seed)
+{
+    field base = make(true);
+    base.blocks.set = MURK_LANES_BASELINE;
+    for (size_t s = 0; s < MURK_LANE_SETS; ++s) {
+        const murk_lane_set set = (murk_lane_set)s;
+        if (!test_lane_set_forced(set)) {
+            continue;
+        }
+        /* The set is chosen when the blocks are made. */
+        field other = make(true);
+        CHECK(other.blocks.set == set);
+        int stops = 0;
+        for (uint64_t i = 0; i < 3000; ++i) {
+            line l = random_line(seed, i);
+            /* Far away, so that rounding takes places out of their cells. */
+            if (i % 2 == 0) {
+                l.from = murk_along(l.from, -1e14, l.along);
+                l.length += 1e14;
+            }
+            const murk_random4 u = murk_random(seed, MURK_TEST, i, 4, 0);
+            const double limit = i % 3 == 0 ? INFINITY : -3 * log(u.u[0]);
+            double t[2], value[2] = {0, 0};
+            CHECK(depth(&base, &l, limit, &t[0], &value[0]) ==
+                  depth(&other, &l, limit, &t[1], &value[1]));
+            CHECK(t[0] == t[1] && value[0] == value[1]);
+            stops += t[0] < INFINITY;
+        }
+        CHECK(stops > 100);
+        release(&other);
+    }
+    release(&base);
+    /* Without lanes the baseline counts. */
+    setenv("MURK_LANES", "off", 1);
+    base = make(true);
+    CHECK(base.blocks.set == MURK_LANES_BASELINE);
+    release(&base);
+    unsetenv("MURK_LANES");
+}
+
+/* A constant beside the field counts in all cells, also where the field is
+ * 0. */
+static void test_a_constant_is_added(uint32_t seed)
+{
+    const double constant = 0.25;
+    field grid = make(true);
+    for (uint64_t i = 0; i < 200; ++i) {
+        const line l = random_line(seed, i);
+        double from = 0, to = l.length, sum = 0;
+        if (!murk_grid_clip(grid.blocks.tree, 1, l.from, l.along, &from, &to)) {
+            continue;
+        }
+        murk_linear walk;
+        murk_linear_begin(&walk, &grid.blocks, l.from, l.along, from, to);
+        CHECK(!murk_linear_integrate(&walk, 2, constant, INFINITY, &sum));
+        CHECK_NEAR(sum, 2 * whole_depth(&grid, &l) + constant * (to - from),
+                   1e-12);
+    }
+    release(&grid);
 }
 
 static double reached(const murk_cubic *c, double share)
@@ -316,6 +399,8 @@ int main(int argc, char **argv)
     test_random_rays_agree_with_the_twin(seed);
     test_the_field_at_points(seed);
     test_flight_and_depth_are_one_crossing(seed);
+    test_all_sets_give_the_same_bits(seed);
+    test_a_constant_is_added(seed);
     test_tiles_of_every_size();
     test_a_sparse_box_is_never_walked_through();
     test_the_root_of_a_cubic();
