@@ -13,6 +13,15 @@
 #include <malloc.h>
 #endif
 
+/* The size of a huge page of x86 and of most ARM machines. */
+#define HUGE_PAGE ((uintptr_t)1 << 21)
+
+/* Linux 6.1 and later have this call, and earlier ones refuse it. The headers
+ * of the C library may lack its name. */
+#if defined(__linux__) && !defined(MADV_COLLAPSE)
+#define MADV_COLLAPSE 25
+#endif
+
 double murk_machine_memory_bytes(void)
 {
     double bytes = INFINITY;
@@ -49,6 +58,21 @@ void murk_machine_drop(void *memory, size_t bytes)
     const uintptr_t end = ((uintptr_t)memory + bytes) / page * page;
     if (memory && first < end) {
         (void)madvise((void *)first, end - first, MADV_DONTNEED);
+    }
+#else
+    (void)memory;
+    (void)bytes;
+#endif
+}
+
+void murk_machine_join_pages(void *memory, size_t bytes)
+{
+#if defined(__linux__) && defined(MADV_DONTNEED)
+    const uintptr_t page = HUGE_PAGE;
+    const uintptr_t first = ((uintptr_t)memory + page - 1) / page * page;
+    const uintptr_t end = ((uintptr_t)memory + bytes) / page * page;
+    if (memory && first < end) {
+        (void)madvise((void *)first, end - first, MADV_COLLAPSE);
     }
 #else
     (void)memory;

@@ -19,6 +19,11 @@ double murk_machine_peak_bytes(void);
  * Without effect where the operating system has no such call. */
 void murk_machine_drop(void *memory, size_t bytes);
 
+/* Asks the operating system to use huge pages for the memory, which has been
+ * written, so that scattered reads need fewer translations of addresses.
+ * Without effect where the system has no such call or no such pages. */
+void murk_machine_join_pages(void *memory, size_t bytes);
+
 /* Gives memory that was freed, and that the C library keeps for later blocks,
  * back to the machine. Without effect where the C library has no such call. */
 void murk_machine_trim(void);

@@ -228,6 +228,37 @@ find_start(const row_search *l, const murk_photon *p, murk_vec3 sensor,
     return murk_side_faces(facing, at, sensor, l->sight->position_error_m);
 }
 
+/* The loop of search_map() for records of the surface map, if only the normal
+ * decides whether a photon remains: the domain has no images, no sightline
+ * bends, and the type has no filter. Written apart, with its constants in
+ * registers, the loop takes half of the time. */
+static void search_facing(row_search *l, const murk_photon *photon,
+                          const uint32_t *found, size_t n)
+{
+    const murk_surfaces *surfaces = l->sight->desc.surfaces;
+    const double position_error_m = l->sight->position_error_m;
+    const murk_vec3 sensor = l->sensor;
+    murk_vec3 from[BLOCK];
+    uint32_t number[BLOCK];
+    murk_side sides[MURK_SIDES] = {{0}};
+    size_t filled = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const murk_photon *p = &photon[found[i]];
+        const murk_vec3 at = murk_photon_place(p);
+        const murk_side *facing =
+            murk_side_recall(sides, surfaces, murk_photon_packed_normal(p));
+        /* The photon is written in any case, and counted if it remains. */
+        number[filled] = found[i];
+        from[filled] = murk_add(at, facing->off);
+        filled += murk_side_faces(facing, at, sensor, position_error_m);
+        if (filled == BLOCK) {
+            add_visible(l, photon, 0, number, from, filled);
+            filled = 0;
+        }
+    }
+    add_visible(l, photon, 0, number, from, filled);
+}
+
 static void search_map(row_search *l, const murk_photon_map *map,
                        uint32_t first)
 {
@@ -237,6 +268,11 @@ static void search_map(row_search *l, const murk_photon_map *map,
     const size_t n =
         murk_photons_nearby(map, &desc->domain, l->sensor, l->query_m, found);
     const bool is_periodic = desc->domain.is_periodic;
+    if (map == desc->surface_map && !is_periodic && !l->sight->interfaces &&
+        !l->has_filter) {
+        search_facing(l, photon, found, n);
+        return;
+    }
     murk_vec3 from[BLOCK];
     uint32_t number[BLOCK];
     murk_side sides[MURK_SIDES] = {{0}};

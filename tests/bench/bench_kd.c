@@ -1,7 +1,7 @@
 /* kd-query, kd-sums and kd-build: the photon map against nanoflann.
  *
  *   bench_kd [light.murk]
- *   bench_kd --uniform RADIUS THREADS
+ *   bench_kd --even RADIUS THREADS
  *
  * On the surface and volume maps of the file, else on 1e6 photon-like points:
  * walls of rooms and clusters in the air. Queries are at the maps' own photons
@@ -10,9 +10,10 @@
  * packed, its best leaf size of those tried (for queries and for building
  * apart), and unsorted results. Timings of both alternate.
  *
- * --uniform: counts alone, once after a warm-up, in 1e6 points evenly in a cube
- * of side 1 m, as the ceiling kdtree.c has them, which adds up a weight a
- * point, too; prints queries, hits and times. */
+ * --even: counts alone, once after a warm-up, around the 1e6 points and with
+ * the queries of the ceiling kdtree.c, evenly in a cube of side 1 m, in the
+ * same order. The ceiling adds up a weight a point, too. Prints queries, hits
+ * and times. */
 #include "base/pool.h"
 #include "base/rng.h"
 #include "peer_kd.h"
@@ -25,11 +26,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define POINTS  1000000
-#define HITS    50.0
-#define QUERIES 65536
-#define BATCH   1024
-#define WORKERS 2
+#define POINTS       1000000
+#define HITS         50.0
+#define QUERIES      65536
+#define EVEN_QUERIES 102400
+#define BATCH        1024
+#define WORKERS      2
 
 static const size_t leaf_sizes[] = {10, 16, 24, 32, 64};
 #define LEAF_SIZES (sizeof leaf_sizes / sizeof leaf_sizes[0])
@@ -41,10 +43,11 @@ typedef struct contest {
     float *points; /* [3 n] */
     murk_photon_map *map;
     peer_kd *peer;
-    float *centers; /* [3 QUERIES] */
+    size_t queries; /* a multiple of BATCH */
+    float *centers; /* [3 queries] */
     double radius_m;
     uint32_t *found[WORKERS]; /* [n] each */
-    size_t hits[QUERIES / BATCH];
+    size_t hits[EVEN_QUERIES / BATCH];
 } contest;
 
 static _Noreturn void stop(const char *why)
@@ -213,10 +216,10 @@ static size_t time_queries(contest *c, murk_worker_job job, unsigned threads,
                            bench_times *times, int repeat)
 {
     const bench_moment begun = bench_now();
-    murk_pool_run_workers(threads, QUERIES / BATCH, job, c);
+    murk_pool_run_workers(threads, c->queries / BATCH, job, c);
     bench_add(times, repeat, begun);
     size_t hits = 0;
-    for (size_t i = 0; i < QUERIES / BATCH; ++i) {
+    for (size_t i = 0; i < c->queries / BATCH; ++i) {
         hits += c->hits[i];
     }
     return hits;
@@ -227,12 +230,13 @@ static void set_centers(contest *c)
 {
     /* Positions of the photons, and query centres at some of them. */
     c->points = allocate(3 * c->n * sizeof *c->points);
-    c->centers = allocate((size_t)3 * QUERIES * sizeof *c->centers);
+    c->queries = QUERIES;
+    c->centers = allocate(3 * c->queries * sizeof *c->centers);
     for (size_t i = 0; i < c->n; ++i) {
         memcpy(c->points + 3 * i, c->photons[i].position_m,
                3 * sizeof *c->points);
     }
-    for (size_t i = 0; i < QUERIES; ++i) {
+    for (size_t i = 0; i < c->queries; ++i) {
         const murk_random4 r = murk_random(2, MURK_TEST, i, 0, 0);
         memcpy(c->centers + 3 * i,
                c->points + 3 * (size_t)(r.u[0] * (double)c->n),
@@ -360,27 +364,66 @@ static void build_case(contest *contests, size_t n, unsigned threads)
                &ours, &peers[best]);
 }
 
-static int uniform_sums(double radius_m, unsigned threads)
+/* The generator of the ceilings (pts.h there): xorshift128+ (Vigna, J. Comput.
+ * Appl. Math. 315 (2017) 175, doi:10.1016/j.cam.2016.11.006) with the shifts
+ * 23, 17 and 26. */
+static uint64_t ceiling_word(void)
+{
+    static uint64_t state[2] = {0x9E3779B97F4A7C15, 0xD1B54A32D192ED03};
+    uint64_t a = state[0];
+    const uint64_t b = state[1];
+    state[0] = b;
+    a ^= a << 23;
+    state[1] = a ^ b ^ (a >> 17) ^ (b >> 26);
+    return state[1] + b;
+}
+
+/* A number in [0, 1). */
+static double ceiling_number(void)
+{
+    return (double)(ceiling_word() >> 11) * 0x1p-53;
+}
+
+/* The points of kdtree.c, evenly in a cube of side 1 m, and its queries, each
+ * near one of the points. */
+static void make_even(contest *c, float radius_m)
+{
+    for (int i = 0; i < 20; ++i) { /* kdtree.c drops the first 20 words */
+        ceiling_word();
+    }
+    c->n = POINTS;
+    c->photons = allocate(c->n * sizeof *c->photons);
+    memset(c->photons, 0, c->n * sizeof *c->photons);
+    for (size_t i = 0; i < c->n; ++i) {
+        for (int a = 0; a < 3; ++a) {
+            c->photons[i].position_m[a] = (float)ceiling_number();
+        }
+    }
+    c->radius_m = (double)radius_m;
+    c->queries = EVEN_QUERIES;
+    c->centers = allocate(3 * c->queries * sizeof *c->centers);
+    for (size_t i = 0; i < c->queries; ++i) {
+        const float *p = c->photons[ceiling_word() % c->n].position_m;
+        for (int a = 0; a < 3; ++a) {
+            c->centers[3 * i + (size_t)a] =
+                (float)((double)p[a] +
+                        (double)(radius_m * .1f) * (ceiling_number() - .5));
+        }
+    }
+}
+
+static int even_sums(float radius_m, unsigned threads)
 {
     static contest c;
     bench_times built = {0}, times = {0};
-    c.n = POINTS;
-    c.photons = allocate(c.n * sizeof *c.photons);
-    memset(c.photons, 0, c.n * sizeof *c.photons);
-    for (size_t i = 0; i < c.n; ++i) {
-        const murk_random4 r = murk_random(1, MURK_TEST, i, 0, 0);
-        for (int a = 0; a < 3; ++a) {
-            c.photons[i].position_m[a] = (float)r.u[a];
-        }
-    }
-    set_centers(&c);
+    make_even(&c, radius_m);
     c.map = build(&c, threads, &built, 0);
-    c.radius_m = radius_m;
     time_queries(&c, batch_of_sums, threads, &times, 1);
     const size_t hits = time_queries(&c, batch_of_sums, threads, &times, 0);
-    printf("{\"queries\": %d, \"hits\": %.4f, \"clock_s\": %.6g, \"cpu_s\": "
+    printf("{\"queries\": %zu, \"hits\": %.4f, \"clock_s\": %.6g, \"cpu_s\": "
            "%.6g}\n",
-           QUERIES, (double)hits / QUERIES, times.clock_s[0], times.cpu_s[0]);
+           c.queries, (double)hits / (double)c.queries, times.clock_s[0],
+           times.cpu_s[0]);
     release(&c);
     return 0;
 }
@@ -389,8 +432,8 @@ int main(int argc, char **argv)
 {
     static contest contests[2];
     size_t n = 1, leaf = 0;
-    if (argc == 4 && strcmp(argv[1], "--uniform") == 0) {
-        return uniform_sums(atof(argv[2]), (unsigned)atoi(argv[3]));
+    if (argc == 4 && strcmp(argv[1], "--even") == 0) {
+        return even_sums((float)atof(argv[2]), (unsigned)atoi(argv[3]));
     }
     /* Points: the photon maps of a file, or uniform points. */
     if (argc > 1) {

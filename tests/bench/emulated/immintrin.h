@@ -1,6 +1,6 @@
-/* The AVX-512 intrinsics of the ceiling programs (tools/bench --ceilings) on a
+/* The AVX-512 intrinsics of the ceiling simd.c (tools/bench --ceilings) on a
  * processor without AVX-512: SIMDe (libsimde-dev) translates most of them, and
- * the nine that SIMDe 0.7.4 lacks follow as loops over the lanes. tools/bench
+ * the seven that SIMDe 0.7.4 lacks follow as loops over the lanes. tools/bench
  * puts the folder of this file before the compiler's own headers on such a
  * machine, and says in the output that the ceiling is emulated. */
 #include_next <immintrin.h>
@@ -104,25 +104,6 @@ static inline simde__m512 emulated_gather(simde__m512 other, int mask,
     return emulated_vector(out);
 }
 
-static inline simde__m512 emulated_loadu(int mask, const float *from)
-{
-    emulated_floats out;
-    for (int i = 0; i < EMULATED_LANES; ++i) {
-        out.lane[i] = mask >> i & 1 ? from[i] : 0;
-    }
-    return emulated_vector(out);
-}
-
-static inline float emulated_sum(simde__m512 v)
-{
-    const emulated_floats in = emulated_floats_of(v);
-    float sum = 0;
-    for (int i = 0; i < EMULATED_LANES; ++i) {
-        sum += in.lane[i];
-    }
-    return sum;
-}
-
 static inline simde__m512 emulated_rsqrt(simde__m512 v)
 {
     emulated_floats f = emulated_floats_of(v);
@@ -140,8 +121,6 @@ static inline simde__m512 emulated_rsqrt(simde__m512 v)
     ((simde__mmask16)((mask)&simde_mm512_cmp_ps_mask(a, b, relation)))
 #define _mm512_mask_i32gather_ps(other, mask, index, from, scale) \
     emulated_gather(other, mask, index, from)
-#define _mm512_maskz_loadu_ps(mask, from) emulated_loadu(mask, from)
-#define _mm512_reduce_add_ps(v)           emulated_sum(v)
-#define _mm512_rsqrt14_ps(v)              emulated_rsqrt(v)
+#define _mm512_rsqrt14_ps(v) emulated_rsqrt(v)
 
 #endif
