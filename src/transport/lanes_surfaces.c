@@ -119,7 +119,7 @@ void murk_lane_reflected(const murk_lane_ahead *a, murk_walker *w,
     w->number = (uint32_t)l->number[i];
     murk_walker_score(w, from, a->ahead.distance_m, a->before, w->path.position,
                       w->setup->in_plane_m);
-    if (murk_walker_is_heard(w)) {
+    if (murk_walker_is_heard(w) && (leaves || !w->setup->trace->skips_ends)) {
         const murk_bounce bounce = {
             leaves ? MURK_DIFFUSE : MURK_ABSORBED,
             leaves ? murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i])
