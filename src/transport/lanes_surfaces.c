@@ -38,10 +38,11 @@ void murk_lane_find(murk_lane_ahead *a, murk_walker *w, murk_photon_lanes *l,
         return;
     }
     /* The ray; the walker of a new photon knows where the search begins. */
-    w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
+    const murk_vec3 position = {l->ray.x[i], l->ray.y[i], l->ray.z[i]};
+    w->path.position = position;
     w->path.direction = murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i]);
     if (l->is_new[i] == 0) {
-        w->probe = w->path.position;
+        w->probe = position;
         w->event_class = MURK_CLASS_LATER;
         w->wraps = 0;
     }
