@@ -23,6 +23,10 @@
 #define DRAW_BACK_UNITS 64
 #define EDGE_SINE       0.25
 
+/* More than the square of the longest edge, for the largest magnitude 1 of
+ * coordinates: 12, with a margin for rounding. */
+#define EDGE2_MAX 13
+
 /* A search up to a distance goes this many float steps farther. The sum of
  * MURK_WALK_AGREE_UNITS, by which Embree's distance may exceed that of the
  * plane, and DRAW_BACK_UNITS is 128; the rest is for rounding. */
@@ -46,6 +50,19 @@ static bool is_near_edge(const murk_walk *w, const murk_triangle *t,
         }
     }
     return false;
+}
+
+/* True only if is_near_edge() is false: a bound of all edges takes the place of
+ * the edges, which need not be computed then. */
+static bool is_clear_of_edges(const murk_walk *w, murk_vec3 normal)
+{
+    const double reach = w->s->soup.extent * EDGE_UNITS * w->s->unit_m;
+    const double u = (double)w->ray.hit.u, v = (double)w->ray.hit.v;
+    double minimum = 1 - u - v;
+    minimum = u < minimum ? u : minimum;
+    minimum = v < minimum ? v : minimum;
+    return minimum > 0 && minimum * minimum * murk_dot(normal, normal) >
+                              EDGE2_MAX * reach * reach;
 }
 
 typedef struct corner_search {
@@ -88,12 +105,13 @@ static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
 }
 
 /* The distance of the hit; if an opaque triangle was hit in a corner, less by
- * DRAW_BACK_UNITS float steps, but at least half of the distance. */
+ * DRAW_BACK_UNITS float steps, but at minimum half of the distance. */
 static double drawn_back(const murk_walk *w, murk_primitive p, murk_vec3 normal,
                          double distance)
 {
     const murk_soup *soup = &w->s->soup;
-    if (p.is_sphere || p.index >= soup->first_triangle[MURK_FACE_SOLID]) {
+    if (p.is_sphere || p.index >= soup->first_triangle[MURK_FACE_SOLID] ||
+        is_clear_of_edges(w, normal)) {
         return distance;
     }
     const murk_triangle t = murk_soup_triangle(soup, p.index);

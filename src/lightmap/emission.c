@@ -103,6 +103,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
         trace.takes_any_order = true;
         trace.skips_surfaces = !e->buffers->keeps_surface;
         trace.skips_media = !e->buffers->keeps_volume;
+        trace.skips_ends = !settings_of(e)->store_hits;
         trace.context = e->buffers;
     }
     murk_trace_run(&trace, e->ledger);

@@ -26,7 +26,9 @@ static murk_photon record_of(const murk_event *event, double share)
                               .event_class = (int)event->event_class});
 }
 
-bool murk_record_list_put(murk_record_list *buffer, const murk_photon *photon)
+/* The place of one more record, which the list then counts; NULL, with the list
+ * unchanged, when out of memory. */
+static inline murk_photon *next_record(murk_record_list *buffer)
 {
     if (buffer->n == buffer->capacity) {
         const size_t capacity = buffer->capacity
@@ -34,13 +36,21 @@ bool murk_record_list_put(murk_record_list *buffer, const murk_photon *photon)
                                     : FIRST_CAPACITY;
         murk_photon *grown = realloc(buffer->photon, capacity * sizeof *grown);
         if (!grown) {
-            return false;
+            return NULL;
         }
         buffer->photon = grown;
         buffer->capacity = capacity;
     }
-    buffer->photon[buffer->n++] = *photon;
-    return true;
+    return &buffer->photon[buffer->n++];
+}
+
+bool murk_record_list_put(murk_record_list *buffer, const murk_photon *photon)
+{
+    murk_photon *record = next_record(buffer);
+    if (record) {
+        *record = *photon;
+    }
+    return record;
 }
 
 murk_record_buffers *
@@ -91,9 +101,12 @@ void murk_record_buffers_event(void *context, uint64_t batch,
     murk_record_buffers *h = context;
     const double share = murk_record_buffers_share(h, event);
     if (share > 0) {
-        const murk_photon photon = record_of(event, share);
         murk_record_list *buffer = &h->buffer[batch];
-        buffer->is_short_of_memory |= !murk_record_list_put(buffer, &photon);
+        murk_photon *record = next_record(buffer);
+        if (record) {
+            *record = record_of(event, share);
+        }
+        buffer->is_short_of_memory |= !record;
     }
 }
 

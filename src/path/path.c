@@ -295,7 +295,8 @@ static bool meets_surface(const murk_path *path, murk_vec3 probe, double near_m,
                                 near_m - ahead, hit)) {
         return false;
     }
-    *distance_m = fmax(0, hit->distance_m + ahead);
+    const double hit_m = hit->distance_m + ahead;
+    *distance_m = hit_m > 0 ? hit_m : 0; /* fmax() is a call */
     return true;
 }
 

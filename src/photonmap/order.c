@@ -1,9 +1,15 @@
-/* Orders records by recursive selection at the place where each node is split
- * (Floyd and Rivest 1975), with heap sort as the fallback that bounds the worst
- * case. With several threads and enough leaves, the upper levels are split one
- * after the other, the nodes of a level in parallel with one thread for each
- * node; the subtrees below are then ordered in parallel. Otherwise one thread
- * orders the whole tree. */
+/* Orders records by recursive selection at the place where each node is split.
+ *
+ * A selection counts the records by bins of their coordinate, moves those
+ * before the bin of the wanted place, and then those of the bin, to the front,
+ * and goes on with that bin alone. Among records with the same coordinate the
+ * words of the records take the place of the coordinate. Each step divides the
+ * range of numbers by BINS, so the worst case is O(n), too.
+ *
+ * With several threads and enough leaves, the upper levels are split one after
+ * the other, the nodes of a level in parallel with one thread for each node;
+ * the subtrees below are then ordered in parallel. Otherwise one thread orders
+ * the whole tree. */
 #include "photonmap/order.h"
 
 #include "base/interrupt.h"
@@ -20,12 +26,15 @@
 
 /* Ranges of up to this size are sorted by insertion, which is faster for them.
  */
-#define SMALL 24
+#define SMALL 16
 
-/* Selection in a range of n records changes to sorting when another partition
- * would bring the number of examined records above PATIENCE * n; random ranges
- * need 3 n to 4 n. */
-#define PATIENCE 16
+/* Bins of a step of the selection, and records that are compared before any of
+ * them is moved; the number of a record in its block fits a byte. Half or twice
+ * of either takes the same time. */
+#define BINS  256
+#define BLOCK 128
+
+#define WORDS ((int)(sizeof(murk_photon) / sizeof(uint64_t)))
 
 /* The number of subtrees that several threads order in parallel: several for
  * each thread of most machines, so that all threads finish at about the same
@@ -42,24 +51,29 @@ typedef struct ordering {
     size_t span; /* leaves in a node of this step, a power of 2 */
 } ordering;
 
-/* Compares all bytes, in the order of memcmp(); any fixed order would do. Of
- * the records of a wall many have the same coordinate, so the words are
- * compared here, without a call. */
+/* A word of a record as a number: comparing the words one after the other is
+ * the order of memcmp(). */
+static inline uint64_t word_of(const murk_photon *photon, int i)
+{
+    uint64_t word;
+    memcpy(&word, (const char *)photon + (size_t)i * sizeof word, sizeof word);
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    word = __builtin_bswap64(word);
+#endif
+    return word;
+}
+
+/* Compares all bytes; any fixed order would do. Of the records of a wall many
+ * have the same coordinate, so the words are compared here, without a call. */
 static int bytes_less(const murk_photon *a, const murk_photon *b)
 {
-#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    uint64_t x[sizeof *a / 8], y[sizeof *b / 8];
-    memcpy(x, a, sizeof x);
-    memcpy(y, b, sizeof y);
-    for (size_t i = 0; i < sizeof x / sizeof *x; ++i) {
-        if (x[i] != y[i]) {
-            return __builtin_bswap64(x[i]) < __builtin_bswap64(y[i]);
+    for (int i = 0; i < WORDS; ++i) {
+        const uint64_t x = word_of(a, i), y = word_of(b, i);
+        if (x != y) {
+            return x < y;
         }
     }
     return 0;
-#else
-    return memcmp(a, b, sizeof *a) < 0;
-#endif
 }
 
 static int is_less(const murk_photon *a, const murk_photon *b, int axis)
@@ -68,11 +82,14 @@ static int is_less(const murk_photon *a, const murk_photon *b, int axis)
     return x < y || (x == y && bytes_less(a, b));
 }
 
-static void swap(murk_photon *a, murk_photon *b)
+/* Copied as bytes, because compilers copy a record member by member. */
+static inline void swap(murk_photon *a, murk_photon *b)
 {
-    const murk_photon old = *a;
-    *a = *b;
-    *b = old;
+    unsigned char x[sizeof *a], y[sizeof *b];
+    memcpy(x, a, sizeof x);
+    memcpy(y, b, sizeof y);
+    memcpy(a, y, sizeof y);
+    memcpy(b, x, sizeof x);
 }
 
 static void sort_small(murk_photon *photons, size_t n, int axis)
@@ -87,105 +104,156 @@ static void sort_small(murk_photon *photons, size_t n, int axis)
     }
 }
 
-static void sift_down(murk_photon *heap, size_t n, size_t i, int axis)
+/* Numbers in the order of coordinates. */
+static inline uint32_t coordinate_number(float x)
 {
-    const murk_photon moved = heap[i];
-    for (size_t next; (next = 2 * i + 1) < n; i = next) {
-        next += next + 1 < n && is_less(&heap[next], &heap[next + 1], axis);
-        if (!is_less(&moved, &heap[next], axis)) {
-            break;
-        }
-        heap[i] = heap[next];
-    }
-    heap[i] = moved;
+    const float no_sign_of_zero = x + 0.0F; /* -0 is 0 */
+    uint32_t bits;
+    memcpy(&bits, &no_sign_of_zero, sizeof bits);
+    return bits ^ (bits >> 31 ? UINT32_MAX : UINT32_C(1) << 31);
 }
 
-void murk_order_sort(murk_photon *photons, size_t n, int axis)
+/* Sorts the n <= MURK_LEAF records of a leaf by x. Each record is first moved
+ * to the place given by the number of records before it, which takes no branch;
+ * sort_small() then only compares, unless records have equal keys. */
+static void sort_leaf(murk_photon *photons, size_t n)
 {
-    for (size_t i = n / 2; i-- > 0;) {
-        sift_down(photons, n, i, axis);
-    }
-    for (size_t last = n; last-- > 1;) {
-        swap(&photons[0], &photons[last]);
-        sift_down(photons, last, 0, axis);
-    }
-}
-
-/* Moves an evenly spaced sample to the front and selects a pivot from it at
- * photons[rank]. The pivot lies slightly beyond k on the side with more
- * records, so that k most likely falls into the smaller part (Floyd & Rivest,
- * Commun. ACM 18 (1975) 165, doi:10.1145/360680.360691). Returns rank. */
-static size_t place_pivot(murk_photon *photons, size_t n, size_t k, int axis)
-{
-    const double root = cbrt((double)n);
-    const size_t sample = (size_t)(0.5 * root * root);
-    const size_t step = n / sample;
-    for (size_t i = 1; i < sample; ++i) {
-        swap(&photons[i], &photons[i * step]);
-    }
-    const double beyond = sqrt((double)sample); /* 2 sigma of a median */
-    double rank = (double)k / (double)n * (double)sample;
-    rank += k < n / 2 ? beyond : -beyond;
-    rank = fmin(fmax(rank, 1), (double)sample - 1);
-    murk_order_select(photons, sample, (size_t)rank, axis);
-    return (size_t)rank;
-}
-
-/* Moves the records before the pivot (with is_closed: also those equal to it)
- * to the front and returns their number. Every record is swapped, necessary or
- * not, because this is cheaper than a branch that the processor cannot
- * predict. */
-static size_t partition(murk_photon *photons, size_t n,
-                        const murk_photon *pivot, int axis, int is_closed)
-{
-    const float x = pivot->position_m[axis];
-    size_t front = 0;
+    uint64_t key[MURK_LEAF];
+    uint32_t place[MURK_LEAF] = {0};
+    murk_photon sorted[MURK_LEAF];
     for (size_t i = 0; i < n; ++i) {
-        const murk_photon moved = photons[i];
-        const float y = moved.position_m[axis];
-        int is_before = y < x;
-        if (y == x) {
-            is_before = is_closed ? !bytes_less(pivot, &moved)
-                                  : bytes_less(&moved, pivot);
+        /* by x, then by the bytes of y */
+        key[i] = (uint64_t)coordinate_number(photons[i].position_m[0]) << 32 |
+                 (uint32_t)word_of(&photons[i], 0);
+        uint32_t before = 0;
+        for (size_t j = 0; j < i; ++j) {
+            const uint32_t is_after = key[j] > key[i];
+            place[j] += is_after;
+            before += 1 - is_after;
         }
-        photons[i] = photons[front];
-        photons[front] = moved;
-        front += (size_t)is_before;
+        place[i] = before;
     }
-    return front;
+    for (size_t i = 0; i < n; ++i) {
+        sorted[place[i]] = photons[i];
+    }
+    memcpy(photons, sorted, n * sizeof *sorted);
+    sort_small(photons, n, 0);
 }
 
-void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
+/* The numbers that is_less() compares one after the other: the coordinate
+ * (level 0), then the words of the record. */
+static inline uint64_t number_at(const murk_photon *photon, int axis, int level)
 {
-    /* Keep the part that contains k until it is small. */
-    size_t left = PATIENCE * n;
-    while (n > SMALL) {
-        if (left < n) {
-            murk_order_sort(photons, n, axis);
-            return;
+    return level == 0 ? coordinate_number(photon->position_m[axis])
+                      : word_of(photon, level - 1);
+}
+
+/* The records that a selection still looks at. */
+typedef struct selection {
+    murk_photon *photons;
+    size_t n;
+    int axis;
+} selection;
+
+/* The smallest and the largest number of the records. */
+static inline __attribute__((always_inline)) void
+find_range(const selection *s, int level, uint64_t *low, uint64_t *high)
+{
+    *low = UINT64_MAX;
+    *high = 0;
+    for (size_t i = 0; i < s->n; ++i) {
+        const uint64_t number = number_at(&s->photons[i], s->axis, level);
+        *low = number < *low ? number : *low;
+        *high = number > *high ? number : *high;
+    }
+}
+
+/* Counts the numbers, which are at least `low`, by bins of 2^shift. */
+static inline __attribute__((always_inline)) void
+count_bins(const selection *s, int level, uint64_t low, unsigned shift,
+           uint32_t count[BINS])
+{
+    memset(count, 0, BINS * sizeof *count);
+    for (size_t i = 0; i < s->n; ++i) {
+        ++count[(number_at(&s->photons[i], s->axis, level) - low) >> shift];
+    }
+}
+
+/* Moves the records with numbers up to `last` to the front. The records of a
+ * block are compared first, without a branch that
+ * the processor cannot predict, and those to be moved are then swapped
+ * (Edelkamp and Weiss, ACM J. Exp. Algorithmics 24 (2019) 1.4,
+ * doi:10.1145/3274660). */
+static inline __attribute__((always_inline)) void
+partition(const selection *s, int level, uint64_t last)
+{
+    size_t front = 0;
+    for (size_t first = 0; first < s->n; first += BLOCK) {
+        murk_photon *block = s->photons + first;
+        const size_t size = s->n - first < BLOCK ? s->n - first : BLOCK;
+        uint8_t before[BLOCK];
+        size_t count = 0;
+        for (size_t i = 0; i < size; ++i) {
+            before[count] = (uint8_t)i;
+            count += number_at(&block[i], s->axis, level) <= last;
         }
-        left -= n;
-        const murk_photon pivot = photons[place_pivot(photons, n, k, axis)];
-        const size_t front = partition(photons, n, &pivot, axis, 0);
-        if (k < front) {
-            n = front;
-            continue;
-        }
-        photons += front;
-        n -= front;
-        k -= front;
-        if (front == 0) { /* the pivot is the smallest record: remove all
-                           * records equal to it */
-            const size_t same = partition(photons, n, &pivot, axis, 1);
-            if (k < same) {
-                return;
-            }
-            photons += same;
-            n -= same;
-            k -= same;
+        for (size_t i = 0; i < count; ++i) {
+            swap(&s->photons[front++], &block[before[i]]);
         }
     }
-    sort_small(photons, n, axis);
+}
+
+/* Keeps the records whose numbers lie in the bin of record k, the only ones
+ * whose order is still unknown, and the range of numbers of this bin. */
+static inline __attribute__((always_inline)) void
+narrow(selection *s, int level, size_t *k, uint64_t *low, uint64_t *high)
+{
+    /* Count by bins, and find the bin of record k. */
+    unsigned shift = 0;
+    while ((*high - *low) >> shift >= BINS) {
+        ++shift;
+    }
+    uint32_t count[BINS];
+    count_bins(s, level, *low, shift, count);
+    size_t before = 0, bin = 0;
+    while (before + count[bin] <= *k) {
+        before += count[bin++];
+    }
+    *low += (uint64_t)bin << shift;
+    const uint64_t width_less_1 = (UINT64_C(1) << shift) - 1;
+    *high = *high - *low > width_less_1 ? *low + width_less_1 : *high;
+    /* Records before the bin, then those of the bin. */
+    if (before > 0) {
+        partition(s, level, *low - 1);
+        s->photons += before;
+        s->n -= before;
+        *k -= before;
+    }
+    if (count[bin] < s->n) {
+        partition(s, level, *high);
+        s->n = count[bin];
+    }
+}
+
+/* murk_order_select() for records whose coordinates are in [min, max]. */
+static void select_within(murk_photon *photons, size_t n, size_t k, int axis,
+                          float min, float max)
+{
+    selection s = {photons, n, axis};
+    uint64_t low = coordinate_number(min), high = coordinate_number(max);
+    while (s.n > SMALL && low < high) {
+        narrow(&s, 0, &k, &low, &high);
+    }
+    /* Records with the same coordinate. */
+    for (int level = 1; s.n > SMALL && level <= WORDS; ++level) {
+        find_range(&s, level, &low, &high);
+        while (s.n > SMALL && low < high) {
+            narrow(&s, level, &k, &low, &high);
+        }
+    }
+    if (s.n <= SMALL) {
+        sort_small(s.photons, s.n, axis);
+    }
 }
 
 /* Computes the bounding box of the positions: min and max by axis. */
@@ -218,17 +286,11 @@ static void bound(const murk_photon *photons, size_t n, float min[4],
 #endif
 }
 
-static int widest_axis(const murk_photon *photons, size_t n)
+void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis)
 {
     float min[4], max[4];
     bound(photons, n, min, max);
-    int axis = 0;
-    for (int a = 1; a < 3; ++a) {
-        if (max[a] - min[a] > max[axis] - min[axis]) {
-            axis = a;
-        }
-    }
-    return axis;
+    select_within(photons, n, k, axis, min[axis], max[axis]);
 }
 
 /* Splits the node of `span` leaves that starts at record `first`, if the node
@@ -240,7 +302,15 @@ static void split(const ordering *o, size_t first, size_t span)
     if (n > half) {
         murk_photon *photons = o->photons + first;
         const size_t whole = n < 2 * half ? n : 2 * half;
-        murk_order_select(photons, whole, half, widest_axis(photons, whole));
+        float min[4], max[4];
+        bound(photons, whole, min, max);
+        int axis = 0;
+        for (int a = 1; a < 3; ++a) {
+            if (max[a] - min[a] > max[axis] - min[axis]) {
+                axis = a;
+            }
+        }
+        select_within(photons, whole, half, axis, min[axis], max[axis]);
     }
 }
 
@@ -251,7 +321,7 @@ static void order_subtree(const ordering *o, size_t first, size_t span)
     }
     if (span == 1) {
         const size_t n = o->n - first < MURK_LEAF ? o->n - first : MURK_LEAF;
-        sort_small(o->photons + first, n, 0);
+        sort_leaf(o->photons + first, n);
         return;
     }
     split(o, first, span);

@@ -21,10 +21,7 @@ int murk_order(murk_photon *photons, size_t n, unsigned threads);
 
 /* Selection: moves the record that sorting along the axis would put at place k
  * < n to that place, with no later record before it and no earlier record after
- * it. The expected time is O(n), the worst case O(n log n). */
+ * it, in O(n). */
 void murk_order_select(murk_photon *photons, size_t n, size_t k, int axis);
-
-/* Sorts along an axis, in place, in O(n log n) in the worst case. */
-void murk_order_sort(murk_photon *photons, size_t n, int axis);
 
 #endif

@@ -91,7 +91,7 @@ static inline uint32_t murk_photon_packed_direction(const murk_photon *p)
  * finite, and unpacks to the zero vector. Source: Cigolle et al., J. Comput.
  * Graph. Tech. 3 (2014) 1. */
 #define MURK_DIRECTION_ERROR_RAD 6.48e-5
-uint32_t murk_direction_pack(murk_vec3 unit);
+static inline uint32_t murk_direction_pack(murk_vec3 unit);
 murk_vec3 murk_direction_unpack(uint32_t packed);
 
 /* The direction of travel of the incoming photon: unit, or zero if none was
@@ -118,7 +118,7 @@ typedef struct murk_photon_values {
     int event_class; /* 0 first, 1 specular only, 2 later */
 } murk_photon_values;
 
-murk_photon murk_photon_make(const murk_photon_values *values);
+static inline murk_photon murk_photon_make(const murk_photon_values *values);
 
 static inline void murk_photon_set_power_w(murk_photon *p, double power_w)
 {
@@ -131,6 +131,56 @@ static inline void murk_photon_set_emitted(murk_photon *p, uint32_t emitted)
 static inline void murk_photon_set_material(murk_photon *p, uint8_t material)
 {
     p->material = material;
+}
+
+/* ---- packing, inline because every stored photon takes it ---- */
+
+#define MURK_DIRECTION_STEPS  32767.0 /* 2^15 - 1: 16 bits with a sign */
+#define MURK_DIRECTION_OFFSET 32768   /* coordinates are 1..65535, never 0 */
+
+/* Added to a number below 2^51, it moves all digits after the point beyond the
+ * 52 bits of the mantissa, so that the sum is rounded as by nearbyint(), which
+ * is a call for processors before SSE4. */
+#define MURK_DIRECTION_ROUNDS 0x1.8p52
+
+static inline double murk_direction_fold(double along, double across)
+{
+    return copysign(1 - fabs(across), along);
+}
+
+static inline uint32_t murk_direction_quantize(double coordinate)
+{
+    return (uint32_t)((int)(coordinate * MURK_DIRECTION_STEPS +
+                            MURK_DIRECTION_ROUNDS - MURK_DIRECTION_ROUNDS) +
+                      MURK_DIRECTION_OFFSET);
+}
+
+static inline uint32_t murk_direction_pack(murk_vec3 unit)
+{
+    const double norm = fabs(unit.x) + fabs(unit.y) + fabs(unit.z);
+    if (!(norm > 0 && isfinite(norm))) {
+        return 0;
+    }
+    const double u = unit.x / norm, v = unit.y / norm;
+    const bool is_lower = unit.z < 0;
+    return murk_direction_quantize(is_lower ? murk_direction_fold(u, v) : u) |
+           murk_direction_quantize(is_lower ? murk_direction_fold(v, u) : v)
+               << 16;
+}
+
+static inline murk_photon murk_photon_make(const murk_photon_values *v)
+{
+    const murk_vec3 at = v->position_m;
+    return (murk_photon){
+        .position_m = {(float)at.x, (float)at.y, (float)at.z},
+        .direction = murk_direction_pack(v->direction),
+        .normal = v->is_volume ? 0 : murk_direction_pack(v->normal),
+        .power_w = (float)v->power_w,
+        .emitted = v->emitted,
+        .band = v->band,
+        .light = v->light,
+        .material = v->material,
+        .kind = murk_photon_kind(v->is_volume, v->event_class)};
 }
 
 #endif

@@ -38,10 +38,10 @@ static double sheet_per_sr(double area_m2, double distance_m, double cosine)
     return distance_m * distance_m / (area_m2 * cosine);
 }
 
-static murk_vec3 isotropic(double u_mu, double u_phi)
+static inline murk_vec3 isotropic(double u_mu, double u_phi)
 {
     const double mu = 2 * u_mu - 1, phi = TWO_PI * u_phi;
-    const double s = sqrt(fmax(0, 1 - mu * mu));
+    const double s = sqrt(1 - mu * mu); /* |mu| < 1 */
     return murk_unit(murk_vec(s * cos(phi), s * sin(phi), mu));
 }
 

@@ -101,7 +101,8 @@ void murk_jump(murk_walker *w, double length_m)
     murk_walker_score(w, from, length_m, w->quanta, end, 0);
     w->path.position = end;
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_WRAPPED);
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_WRAPPED);
         event.direction_out = w->path.direction;
         event.path_m = length_m;
         murk_walker_tell(w, &event);

@@ -270,10 +270,11 @@ static void watch(lane_batch *b, size_t i)
         murk_score_segment(w->score, start, arriving, l->distance_m[i], before,
                            (murk_station){w->path.position, 0});
     }
-    if (murk_walker_is_heard(w)) {
-        const bool scatters = l->scatters[i] != 0;
+    const bool scatters = l->scatters[i] != 0;
+    if (murk_walker_is_heard(w) && (scatters || !w->setup->trace->skips_ends)) {
         w->number = (uint32_t)l->number[i];
-        murk_event event = murk_walker_event(w, MURK_EVENT_MEDIUM);
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_MEDIUM);
         event.outcome = scatters ? MURK_SCATTERED : MURK_ABSORBED;
         event.material_or_medium = (uint8_t)(w->absorber - b->sums->materials);
         event.direction_in = arriving;

@@ -38,10 +38,11 @@ void murk_lane_find(murk_lane_ahead *a, murk_walker *w, murk_photon_lanes *l,
         return;
     }
     /* The ray; the walker of a new photon knows where the search begins. */
-    w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
+    const murk_vec3 position = {l->ray.x[i], l->ray.y[i], l->ray.z[i]};
+    w->path.position = position;
     w->path.direction = murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i]);
     if (l->is_new[i] == 0) {
-        w->probe = w->path.position;
+        w->probe = position;
         w->event_class = MURK_CLASS_LATER;
         w->wraps = 0;
     }
@@ -119,7 +120,7 @@ void murk_lane_reflected(const murk_lane_ahead *a, murk_walker *w,
     w->number = (uint32_t)l->number[i];
     murk_walker_score(w, from, a->ahead.distance_m, a->before, w->path.position,
                       w->setup->in_plane_m);
-    if (murk_walker_is_heard(w)) {
+    if (murk_walker_is_heard(w) && (leaves || !w->setup->trace->skips_ends)) {
         const murk_bounce bounce = {
             leaves ? MURK_DIFFUSE : MURK_ABSORBED,
             leaves ? murk_vec(l->ray.dx[i], l->ray.dy[i], l->ray.dz[i])

@@ -70,7 +70,8 @@ murk_fate murk_meet_boundary(murk_walker *w, const murk_path_boundary *ahead)
         return murk_walker_lose(w, MURK_LOSS_EVENTS);
     }
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_INTERFACE);
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_INTERFACE);
         event.outcome = bent.outcome;
         event.material_or_medium = (uint8_t)b->region;
         event.direction_out = bent.direction;
@@ -212,8 +213,9 @@ murk_fate murk_meet_side(murk_walker *w, double path_m)
         return murk_walker_lose(w, MURK_LOSS_WRAPS);
     }
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, wraps ? MURK_EVENT_WRAPPED
-                                                      : MURK_EVENT_ESCAPED);
+        murk_event event;
+        murk_walker_event(&event, w,
+                          wraps ? MURK_EVENT_WRAPPED : MURK_EVENT_ESCAPED);
         event.direction_out = d;
         event.path_m = path_m;
         murk_walker_tell(w, &event);

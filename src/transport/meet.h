@@ -29,7 +29,8 @@ static inline void murk_meet_tell_surface(murk_walker *w, const murk_hit *hit,
 {
     const murk_material *material =
         murk_surfaces_material(w->setup->world->surfaces, hit->material);
-    murk_event event = murk_walker_event(w, MURK_EVENT_SURFACE);
+    murk_event event;
+    murk_walker_event(&event, w, MURK_EVENT_SURFACE);
     event.outcome = bounce->outcome;
     event.material_or_medium = hit->material;
     event.direction_out = bounce->direction;

@@ -168,8 +168,10 @@ typedef struct murk_trace {
                                        * kind MURK_EVENT_SURFACE, or
                                        * MURK_EVENT_MEDIUM: they may be left
                                        * out */
-    murk_segment_sink segment_sink;   /* may be NULL */
-    void *context;                    /* context of both callbacks */
+    bool skips_ends; /* nor for emissions and for events at which nothing of
+                      * the packet leaves */
+    murk_segment_sink segment_sink; /* may be NULL */
+    void *context;                  /* context of both callbacks */
     murk_tallies *tallies; /* may be NULL; created for at least `threads`
                             * threads */
     bool takes_back;       /* subtract the contributions of these photons from

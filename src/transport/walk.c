@@ -86,7 +86,8 @@ static murk_fate scatter(murk_walker *w, const hit_medium *hit)
             arriving, murk_phase_sample(c->phase, u[1]), azimuth);
     }
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_MEDIUM);
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_MEDIUM);
         event.outcome = scatters ? MURK_SCATTERED : MURK_ABSORBED;
         event.material_or_medium = (uint8_t)c->medium;
         event.direction_in = arriving;
@@ -263,7 +264,8 @@ static murk_fate spend(murk_walker *w)
 {
     ++w->number;
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_ESCAPED);
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_ESCAPED);
         event.direction_out = w->path.direction;
         murk_walker_tell(w, &event);
     }
@@ -344,8 +346,9 @@ murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
     }
     /* Report the emission. */
     set_out(w, &ray, first_probe(w, &ray));
-    if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_EMITTED);
+    if (murk_walker_is_heard(w) && !r->trace->skips_ends) {
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_EMITTED);
         event.direction_in = murk_vec(0, 0, 0);
         event.direction_out = w->path.direction;
         murk_walker_tell(w, &event);

@@ -122,32 +122,30 @@ static inline bool murk_walker_splits(murk_walker *w, double survival, double u,
     return true;
 }
 
-/* An event with the members that all events have in common; the others are 0.
- * Member by member, because compilers clear a whole event with an instruction
- * that takes longer than all the rest. */
-static inline murk_event murk_walker_event(const murk_walker *w,
-                                           murk_event_kind kind)
+/* Sets the members of an event that all events have in common; the others are
+ * 0. Member by member and in place, because compilers clear or copy a whole
+ * event with instructions that take longer than all the rest. */
+static inline void murk_walker_event(murk_event *event, const murk_walker *w,
+                                     murk_event_kind kind)
 {
     const murk_vec3 none = {0, 0, 0};
-    murk_event event;
-    event.kind = kind;
-    event.outcome = MURK_ABSORBED;
-    event.event_class = w->event_class;
-    event.photon = w->photon;
-    event.number = w->number;
-    event.light = (uint16_t)w->light;
-    event.band = (uint8_t)w->band;
-    event.material_or_medium = 0;
-    event.position = w->path.position;
-    event.direction_in = w->path.direction;
-    event.direction_out = none;
-    event.normal = none;
-    event.reflectance = 0;
-    event.weight = event.leaving = murk_packet_share(w->quanta);
-    event.path_m = 0;
-    event.scattering_per_m = 0;
-    event.loss = MURK_LOSS_EVENTS;
-    return event;
+    event->kind = kind;
+    event->outcome = MURK_ABSORBED;
+    event->event_class = w->event_class;
+    event->photon = w->photon;
+    event->number = w->number;
+    event->light = (uint16_t)w->light;
+    event->band = (uint8_t)w->band;
+    event->material_or_medium = 0;
+    event->position = w->path.position;
+    event->direction_in = w->path.direction;
+    event->direction_out = none;
+    event->normal = none;
+    event->reflectance = 0;
+    event->weight = event->leaving = murk_packet_share(w->quanta);
+    event->path_m = 0;
+    event->scattering_per_m = 0;
+    event->loss = MURK_LOSS_EVENTS;
 }
 
 static inline void murk_walker_tell(murk_walker *w, murk_event *event)
@@ -208,7 +206,8 @@ static inline murk_fate murk_walker_lose(murk_walker *w, murk_loss loss)
 {
     ++w->sums->lost[loss];
     if (murk_walker_is_heard(w)) {
-        murk_event event = murk_walker_event(w, MURK_EVENT_LOST);
+        murk_event event;
+        murk_walker_event(&event, w, MURK_EVENT_LOST);
         event.loss = loss;
         event.leaving = 0;
         murk_walker_tell(w, &event);

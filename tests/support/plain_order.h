@@ -8,6 +8,8 @@
 #include "photonmap/range_test.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 static inline int plain_widest_axis(const murk_photon *photons, size_t n)
 {
@@ -27,14 +29,45 @@ static inline int plain_widest_axis(const murk_photon *photons, size_t n)
     return widest;
 }
 
+/* Compares by a coordinate, then by all bytes: 0 only for equal records. */
+static inline int plain_compare(const murk_photon *a, const murk_photon *b,
+                                int axis)
+{
+    const float x = a->position_m[axis], y = b->position_m[axis];
+    return x < y ? -1 : x > y ? 1 : memcmp(a, b, sizeof *a);
+}
+
+static inline int plain_compare_x(const void *a, const void *b)
+{
+    return plain_compare(a, b, 0);
+}
+
+static inline int plain_compare_y(const void *a, const void *b)
+{
+    return plain_compare(a, b, 1);
+}
+
+static inline int plain_compare_z(const void *a, const void *b)
+{
+    return plain_compare(a, b, 2);
+}
+
+static inline void plain_sort(murk_photon *photons, size_t n, int axis)
+{
+    qsort(photons, n, sizeof *photons,
+          axis == 0   ? plain_compare_x
+          : axis == 1 ? plain_compare_y
+                      : plain_compare_z);
+}
+
 /* Orders the n records of a node of `leaves` leaves, a power of 2. */
 static inline void plain_order(murk_photon *photons, size_t n, size_t leaves)
 {
     const size_t half = leaves / 2 * MURK_LEAF;
     if (leaves == 1) {
-        murk_order_sort(photons, n, 0);
+        plain_sort(photons, n, 0);
     } else if (n > half) {
-        murk_order_sort(photons, n, plain_widest_axis(photons, n));
+        plain_sort(photons, n, plain_widest_axis(photons, n));
         plain_order(photons, half, leaves / 2);
         plain_order(photons + half, n - half, leaves / 2);
     } else {

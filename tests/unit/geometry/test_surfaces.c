@@ -51,6 +51,26 @@ static void test_box_from_inside_and_outside(void)
     murk_surfaces_destroy(s);
 }
 
+/* A quarter of a step of murk_surfaces_leave() above the foot of a wall, the
+ * hit is moved back by 8 steps, here checked to 4; 4 steps above it is exact.
+ */
+static void test_hits_in_corners_are_moved_back(void)
+{
+    const murk_surface_desc desc = box(0, 0, 0, 4, 6, 3);
+    murk_surfaces *s = create(&desc, 1);
+    const double step_m = murk_surfaces_leave_step_m(s);
+    const murk_vec3 from = {1, 2, 1};
+    for (int is_clear = 0; is_clear < 2; ++is_clear) {
+        const murk_vec3 to = {4, 3, is_clear ? 4 * step_m : step_m / 4};
+        const murk_vec3 offset = murk_sub(to, from);
+        murk_hit hit;
+        CHECK(murk_surfaces_hit(s, from, murk_unit(offset), INFINITY, &hit));
+        CHECK_NEAR(murk_length(offset) - hit.distance_m,
+                   is_clear ? 0 : 8 * step_m, is_clear ? 1e-14 : 4 * step_m);
+    }
+    murk_surfaces_destroy(s);
+}
+
 static void test_sphere_is_exact_from_inside(void)
 {
     const murk_surface_desc desc = {.shape = MURK_SHAPE_SPHERE,
@@ -106,6 +126,7 @@ int main(void)
 {
     test_materials_are_found_by_name();
     test_box_from_inside_and_outside();
+    test_hits_in_corners_are_moved_back();
     test_sphere_is_exact_from_inside();
     return check_done();
 }

@@ -15,7 +15,8 @@
 
 /* A checksum of all events of each photon, in the order of the photon. */
 typedef struct heard {
-    bool skips_surfaces, skips_media; /* such events may be told or not */
+    bool skips_surfaces, skips_media, skips_ends; /* such events may be told or
+                                                   * not */
     uint64_t sum[PHOTONS];
 } heard;
 
@@ -33,7 +34,9 @@ static void hear(void *context, uint64_t batch, const murk_event *event)
     heard *h = context;
     /* Events that may be told or not. */
     if ((h->skips_surfaces && event->kind == MURK_EVENT_SURFACE) ||
-        (h->skips_media && event->kind == MURK_EVENT_MEDIUM)) {
+        (h->skips_media && event->kind == MURK_EVENT_MEDIUM) ||
+        (h->skips_ends && (event->kind == MURK_EVENT_EMITTED ||
+                           event->outcome == MURK_ABSORBED))) {
         return;
     }
     /* All that an event says. */
@@ -95,7 +98,8 @@ typedef struct run {
     uint32_t events_max;
     uint64_t photons; /* 0: PHOTONS */
     bool has_tallies, has_sink, takes_back;
-    bool skips_surfaces, skips_media; /* the sink skips such events */
+    bool skips_surfaces, skips_media, skips_ends; /* the sink skips such
+                                                   * events */
 } run;
 
 static outcome *traced(const test_setup *setup, run given)
@@ -114,6 +118,7 @@ static outcome *traced(const test_setup *setup, run given)
     trace.takes_any_order = true;
     trace.skips_surfaces = o->heard.skips_surfaces = given.skips_surfaces;
     trace.skips_media = o->heard.skips_media = given.skips_media;
+    trace.skips_ends = o->heard.skips_ends = given.skips_ends;
     if (given.has_sink) {
         trace.sink = hear;
         trace.context = &o->heard;
@@ -222,6 +227,9 @@ static void compare_runs(const char *name, const test_setup *setup)
     compare(name, setup, given);
     given.skips_surfaces = false;
     given.skips_media = true;
+    compare(name, setup, given);
+    given.skips_media = false;
+    given.skips_ends = true;
     compare(name, setup, given);
 }
 
