@@ -40,9 +40,11 @@ typedef struct lane_batch {
                             * Henyey and Greenstein */
     size_t n;              /* lanes in use: the first n */
     murk_photon_lanes lanes;
-    murk_lane_rays before;       /* the rays before the step, if is_watched */
-    murk_lane_scoring scoring;   /* for the instruction set */
-    murk_lane_segments segments; /* that this step scores side by side */
+    murk_lane_rays before; /* the rays before the step, if is_watched */
+    const murk_lane_scoring *scoring; /* for the instruction set */
+    murk_lane_segments segments;      /* that this step scores side by side */
+    murk_lane_lists lists;            /* open while the lane, not the walker,
+                                       * has the photon */
     murk_walker walker[MURK_LANE_COUNT];
     const murk_phase
         *phase[MURK_LANE_COUNT]; /* of the medium of the collision */
@@ -79,6 +81,9 @@ static void take_out(lane_batch *b, size_t i)
         w->wraps = 0;
     }
     settle(b, i);
+    if (w->score) {
+        murk_lane_lists_close(&b->lists, i);
+    }
 }
 
 /* Notes the medium of the collision, or of all collisions, of a lane. */
@@ -110,6 +115,9 @@ static void put_in(lane_batch *b, size_t i)
     l->photon_high[i] = (uint32_t)(w->photon >> 32);
     l->number[i] = w->number;
     l->is_new[i] = 1;
+    if (w->score) {
+        murk_lane_lists_open(&b->lists, i, w->score);
+    }
     b->phase[i] = NULL; /* until the next collision */
     murk_collision all;
     const murk_media *media = b->setup->world->media;
@@ -220,15 +228,18 @@ static void sample_other_phases(lane_batch *b)
 }
 
 /* Scores planes and spheres for the segment of a lane. */
-static void score_crossings(const lane_batch *b, size_t i)
+static void score_crossings(lane_batch *b, size_t i)
 {
     const murk_photon_lanes *l = &b->lanes;
     const murk_lane_rays *from = &b->before;
+    murk_score_path *const path = b->walker[i].score;
+    murk_lane_lists_close(&b->lists, i);
     murk_score_crossings(
-        b->walker[i].score, murk_vec(from->x[i], from->y[i], from->z[i]),
+        path, murk_vec(from->x[i], from->y[i], from->z[i]),
         murk_vec(from->dx[i], from->dy[i], from->dz[i]), l->distance_m[i],
         from->quanta[i],
         (murk_station){murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]), 0});
+    murk_lane_lists_open(&b->lists, i, path);
 }
 
 /* Scores the segments to the collisions of a step side by side, except those of
@@ -239,18 +250,14 @@ static void score(lane_batch *b)
     const murk_photon_lanes *l = &b->lanes;
     murk_lane_segments *segments = &b->segments;
     segments->n = b->n;
-    for (size_t i = 0; i < MURK_LANE_COUNT; ++i) {
-        murk_score_path *path = i < b->n ? b->walker[i].score : NULL;
-        const bool is_scored = i < b->n && l->meets[i] != 0 &&
-                               path->last + t->entries_max < MURK_SCORE_ENTRIES;
-        segments->path[i] = is_scored ? path : NULL;
-        segments->length_m[i] = is_scored ? l->distance_m[i] : 0;
-        if (is_scored && t->planes + t->probes > 0) {
+    b->scoring->select(segments, &b->lists, l->meets, l->distance_m);
+    for (size_t i = 0; t->planes + t->probes > 0 && i < b->n; ++i) {
+        if (segments->is_scored[i]) {
             score_crossings(b, i);
         }
     }
     for (size_t k = 0; k < t->lattices; ++k) {
-        b->scoring(&t->lattice[k], segments);
+        b->scoring->score(&t->lattice[k], segments, &b->lists);
     }
 }
 
@@ -266,9 +273,11 @@ static void watch(lane_batch *b, size_t i)
     const double before = from->quanta[i];
     /* The segment to the collision. */
     w->path.position = murk_vec(l->ray.x[i], l->ray.y[i], l->ray.z[i]);
-    if (w->score && !b->segments.path[i]) {
+    if (w->score && b->segments.is_scored[i] == 0) {
+        murk_lane_lists_close(&b->lists, i);
         murk_score_segment(w->score, start, arriving, l->distance_m[i], before,
                            (murk_station){w->path.position, 0});
+        murk_lane_lists_open(&b->lists, i, w->score);
     }
     const bool scatters = l->scatters[i] != 0;
     if (murk_walker_is_heard(w) && (scatters || !w->setup->trace->skips_ends)) {
@@ -340,14 +349,20 @@ static void finish(lane_batch *b, size_t i)
     const bool reflects =
         b->facts.any_surfaces && b->ahead[i].next == MURK_LANE_REFLECTS;
     b->sums->collisions += meets;
-    const bool is_scored = b->segments.path[i] != NULL;
+    const bool is_scored = b->segments.is_scored[i] != 0;
     if (meets && b->watches_media && (b->is_heard || !is_scored)) {
         watch(b, i);
     }
     if (reflects && b->watches_surfaces) {
+        if (w->score) {
+            murk_lane_lists_close(&b->lists, i);
+        }
         murk_lane_reflected(
             &b->ahead[i], w, &b->lanes, i,
             murk_vec(b->before.x[i], b->before.y[i], b->before.z[i]));
+        if (w->score) {
+            murk_lane_lists_open(&b->lists, i, w->score);
+        }
     }
     /* A photon whose list overflowed owns the scorer's sums and is followed to
      * its end now. */
@@ -394,6 +409,20 @@ static void fly(lane_batch *b, size_t n)
     }
 }
 
+/* Copies n rays: a copy of the whole structure would be made by an instruction
+ * that takes several times as long. */
+static void keep_rays(murk_lane_rays *to, const murk_lane_rays *from, size_t n)
+{
+    const size_t size = n * sizeof from->x[0];
+    memcpy(to->x, from->x, size);
+    memcpy(to->y, from->y, size);
+    memcpy(to->z, from->z, size);
+    memcpy(to->dx, from->dx, size);
+    memcpy(to->dy, from->dy, size);
+    memcpy(to->dz, from->dz, size);
+    memcpy(to->quanta, from->quanta, size);
+}
+
 /* One event of each photon. */
 static void step(lane_batch *b)
 {
@@ -402,7 +431,7 @@ static void step(lane_batch *b)
     const size_t n =
         (b->n + MURK_LANE_GROUP - 1) / MURK_LANE_GROUP * MURK_LANE_GROUP;
     if (b->is_watched) {
-        b->before = l->ray;
+        keep_rays(&b->before, &l->ray, n);
     }
     b->steps->draw(l, &b->facts, n);
     fly(b, n);
@@ -495,6 +524,9 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
     b.scoring = murk_lane_scoring_for(steps->set);
     memset(&b.segments, 0, sizeof b.segments);
     b.segments.from = &b.before;
+    if (sums->scorer) {
+        murk_lane_lists_create(&b.lists, sums->scorer);
+    }
     memset(&b.before, 0, sizeof b.before);
     /* Begin a photon in each lane. */
     b.n = 0;

@@ -124,16 +124,17 @@ void murk_score_spill(murk_score_path *path)
     murk_scorer *const scorer = path->scorer;
     size_t touched = scorer->n_touched;
     for (size_t i = 1; i <= path->last; ++i) {
-        const uint32_t cell = path->cell[i];
+        const size_t cell = path->list[i].cell;
         /* Load a sum that is needed later. */
         const size_t ahead = i + AHEAD < path->last ? i + AHEAD : path->last;
-        __builtin_prefetch(&scorer->sum[path->cell[ahead]], 1);
+        __builtin_prefetch(&scorer->sum[path->list[ahead].cell], 1);
         double *const sum = &scorer->sum[cell];
         /* Without a branch, because it is hard to predict if the photon has
          * been in the cell before. */
-        scorer->touched[touched] = cell;
-        touched += *sum == 0;
-        *sum += path->value[i];
+        const double before = *sum, after = before + path->list[i].value;
+        scorer->touched[touched] = (uint32_t)cell;
+        touched += (before == 0) & (after > 0);
+        *sum = after;
         /* The bin is needed at the end of the photon: load it in advance. */
         __builtin_prefetch(&path->bin[cell], 1);
     }

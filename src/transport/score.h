@@ -56,7 +56,7 @@ typedef struct murk_tally_bin {
 
 /* Contributions that a photon may list before the list is emptied into the sums
  * of the photon: a few cells for each of several hundred collisions. The lists
- * of a thread take 0.8 MB. Lists lie 16 entries further apart than their
+ * of a thread take 1.1 MB. Lists lie 16 entries further apart than their
  * length, because lists at distances of a power of 2 would share few sets of
  * the cache. */
 #define MURK_SCORE_ENTRIES 2048
@@ -65,9 +65,21 @@ typedef struct murk_tally_bin {
 /* Photons of one thread that are under way at the same time, at most. */
 #define MURK_SCORE_PATHS 32
 
+/* Entries of all lists of a thread, of which there is one more than photons:
+ * the spare one is overwritten in lanes without a segment
+ * (transport/score_lanes.h). */
+#define MURK_SCORE_LISTS ((size_t)(MURK_SCORE_PATHS + 1) * MURK_SCORE_STRIDE)
+
 /* No cell: the cell of entry 0 of each list, whose value is 0. So every list
  * has a last entry. */
 #define MURK_SCORE_NO_CELL UINT32_MAX
+
+/* An entry of a list: a contribution [quanta] and its cell, as long as the
+ * value, so that a vector register holds a whole entry. */
+typedef struct murk_score_entry {
+    double value;
+    uint64_t cell;
+} murk_score_entry;
 
 typedef struct murk_scorer murk_scorer;
 
@@ -77,10 +89,8 @@ typedef struct murk_score_path {
     murk_tally_bin *bin; /* [cells] of the channel of the photon */
     murk_station at;
     double *side; /* [planes]: signed distance of `at` beyond each plane */
-    /* The list: contributions [quanta] and their cells in the order of the
-     * path, entries 1 to `last`. */
-    double *value;  /* [MURK_SCORE_ENTRIES] */
-    uint32_t *cell; /* [MURK_SCORE_ENTRIES] */
+    /* The list: contributions in the order of the path, entries 1 to `last`. */
+    murk_score_entry *list; /* [MURK_SCORE_ENTRIES] */
     size_t last;
     bool has_sums; /* the list has been emptied: the sums of the scorer belong
                     * to this photon, and no other photon of the thread may end
@@ -94,11 +104,11 @@ struct murk_scorer {
     uint32_t *touched; /* [cells + 1]: numbers of the cells that are not 0, and
                         * one that is overwritten */
     size_t n_touched;
-    murk_tally_bin *copy; /* [channels][cells] */
-    bool is_alone;        /* no other scorer adds to this copy */
-    double *sides;        /* [MURK_SCORE_PATHS][planes] */
-    double *values;  /* [MURK_SCORE_PATHS][MURK_SCORE_STRIDE]: of the lists */
-    uint32_t *cells; /* likewise */
+    murk_tally_bin *copy;    /* [channels][cells] */
+    bool is_alone;           /* no other scorer adds to this copy */
+    double *sides;           /* [MURK_SCORE_PATHS][planes] */
+    murk_score_entry *lists; /* [MURK_SCORE_LISTS] */
+    murk_score_entry *spare; /* the last of the lists */
     murk_score_path path[MURK_SCORE_PATHS];
 };
 
@@ -154,23 +164,29 @@ void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
 /* Empties the list of a photon into the sums of the scorer. */
 void murk_score_spill(murk_score_path *path);
 
-static inline void murk_score_add(murk_score_path *path, uint32_t cell,
-                                  double value)
+/* Adds a contribution, which may be 0. */
+static inline void murk_score_list(murk_score_path *path, uint32_t cell,
+                                   double value)
 {
-    if (!(value > 0)) {
-        return;
-    }
     /* In dense media many segments in a row lie in the same cell. */
-    if (path->cell[path->last] == cell) {
-        path->value[path->last] += value;
+    if (path->list[path->last].cell == cell) {
+        path->list[path->last].value += value;
         return;
     }
     if (path->last == MURK_SCORE_ENTRIES - 1) {
         murk_score_spill(path);
     }
     ++path->last;
-    path->value[path->last] = value;
-    path->cell[path->last] = cell;
+    path->list[path->last] = (murk_score_entry){value, cell};
+}
+
+/* Adds a contribution, if there is one. */
+static inline void murk_score_add(murk_score_path *path, uint32_t cell,
+                                  double value)
+{
+    if (value > 0) {
+        murk_score_list(path, cell, value);
+    }
 }
 
 #endif

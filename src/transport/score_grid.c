@@ -135,10 +135,9 @@ static void cross_faces(murk_score_path *path, axis_faces f[3], int64_t cell,
         const double until =
             ahead->next_m < length_m ? ahead->next_m : length_m;
         /* Score the length up to the face, then enter the next cell. */
-        if (until > t) {
-            murk_score_add(path, (uint32_t)cell, (until - t) * quanta_per_m);
-            t = until;
-        }
+        const double reached = until > t ? until : t;
+        murk_score_list(path, (uint32_t)cell, (reached - t) * quanta_per_m);
+        t = reached;
         cell += ahead->stride;
         ahead->face += ahead->step;
         --ahead->left;
@@ -146,7 +145,7 @@ static void cross_faces(murk_score_path *path, axis_faces f[3], int64_t cell,
                             ? (ahead->face - ahead->at) * ahead->per_pace
                             : INFINITY;
     }
-    murk_score_add(path, (uint32_t)cell, (length_m - t) * quanta_per_m);
+    murk_score_list(path, (uint32_t)cell, (length_m - t) * quanta_per_m);
 }
 
 void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
@@ -164,7 +163,7 @@ void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
     const double quanta_per_m = quanta * lattice->per_m;
     /* Most segments begin and end in the grid. */
     int64_t first[3], last[3];
-    bool is_within = true;
+    bool is_within = length_m > 0;
     for (int a = 0; a < 3; ++a) {
         is_within = is_within && cell_of(at[a], n[a], &first[a]) &&
                     cell_of(at[a] + pace[a] * length_m, n[a], &last[a]);
@@ -172,7 +171,7 @@ void murk_score_lattice(murk_score_path *path, const murk_lattice *lattice,
     if (is_within) {
         const uint32_t cell = cell_at(lattice, first[0], first[1], first[2]);
         if (first[0] == last[0] && first[1] == last[1] && first[2] == last[2]) {
-            murk_score_add(path, cell, length_m * quanta_per_m);
+            murk_score_list(path, cell, length_m * quanta_per_m);
             return;
         }
         axis_faces f[3] = {

@@ -5,42 +5,164 @@
 #include <math.h>
 #include <string.h>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+static int64_t offset_of(const murk_lane_lists *lists,
+                         const murk_score_entry *entry)
+{
+    return (int64_t)((const char *)entry - (const char *)lists->entries);
+}
+
+void murk_lane_lists_create(murk_lane_lists *lists, murk_scorer *scorer)
+{
+    memset(lists, 0, sizeof *lists);
+    lists->entries = scorer->lists;
+    lists->entries_max = scorer->tallies->entries_max;
+    lists->spare = offset_of(lists, scorer->spare);
+    for (size_t i = 0; i < MURK_LANE_COUNT; ++i) {
+        lists->last[i] = lists->limit[i] = lists->spare;
+    }
+}
+
+void murk_lane_lists_open(murk_lane_lists *lists, size_t i,
+                          murk_score_path *path)
+{
+    const int64_t entries =
+        (int64_t)MURK_SCORE_ENTRIES - (int64_t)lists->entries_max;
+    lists->path[i] = path;
+    lists->last[i] = offset_of(lists, &path->list[path->last]);
+    lists->limit[i] = offset_of(lists, path->list) +
+                      entries * (int64_t)sizeof(murk_score_entry);
+}
+
+void murk_lane_lists_close(murk_lane_lists *lists, size_t i)
+{
+    murk_score_path *const path = lists->path[i];
+    path->last = (size_t)(lists->last[i] - offset_of(lists, path->list)) /
+                 sizeof(murk_score_entry);
+    lists->path[i] = NULL;
+    lists->last[i] = lists->limit[i] = lists->spare;
+}
+
 /* Scores the segment of a lane without vectors. */
 static void score_one(const murk_lattice *lattice,
-                      const murk_lane_segments *segments, size_t i)
+                      const murk_lane_segments *segments,
+                      murk_lane_lists *lists, size_t i)
 {
     const murk_lane_rays *const from = segments->from;
-    murk_score_lattice(segments->path[i], lattice,
+    murk_score_path *const path = lists->path[i];
+    murk_lane_lists_close(lists, i);
+    murk_score_lattice(path, lattice,
                        murk_vec(from->x[i], from->y[i], from->z[i]),
                        murk_vec(from->dx[i], from->dy[i], from->dz[i]),
                        segments->length_m[i], from->quanta[i]);
+    murk_lane_lists_open(lists, i, path);
 }
 
-#define WIDTH       2 /* numbers in a register of 16 bytes */
-#define TARGET      MURK_TARGET_BASELINE
-#define NAMED(name) name##_baseline
+/* Vectors of 2, 4 and 8 numbers, and masks, of which all bits of an element are
+ * equal. */
+typedef double vector_baseline __attribute__((vector_size(16)));
+typedef int64_t mask_baseline __attribute__((vector_size(16)));
+#if defined(__x86_64__)
+typedef double vector_avx2 __attribute__((vector_size(32)));
+typedef int64_t mask_avx2 __attribute__((vector_size(32)));
+typedef double vector_avx512 __attribute__((vector_size(64)));
+typedef int64_t mask_avx512 __attribute__((vector_size(64)));
+#endif
+
+/* The entries at base + at[0], base + at[2], ... in one register. */
+static inline vector_baseline loaded_baseline(const char *base,
+                                              const int64_t *at)
+{
+    vector_baseline entry;
+    memcpy(&entry, base + at[0], sizeof entry);
+    return entry;
+}
+
+#if defined(__x86_64__)
+MURK_TARGET_AVX2 static inline vector_avx2 loaded_avx2(const char *base,
+                                                       const int64_t *at)
+{
+    return (vector_avx2)_mm256_loadu2_m128d((const double *)(base + at[2]),
+                                            (const double *)(base + at[0]));
+}
+
+MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
+                                                             const int64_t *at)
+{
+    const __m256d low = _mm256_loadu2_m128d((const double *)(base + at[2]),
+                                            (const double *)(base + at[0]));
+    const __m256d high = _mm256_loadu2_m128d((const double *)(base + at[6]),
+                                             (const double *)(base + at[4]));
+    return (vector_avx512)_mm512_insertf64x4(_mm512_castpd256_pd512(low), high,
+                                             1);
+}
+#endif
+
+#define AND(mask, a)             ((VECTOR)((mask) & (MASK)(a)))
+#define WHOLE_CHOSEN(mask, a, b) ((MASK)CHOSEN(mask, (VECTOR)(a), (VECTOR)(b)))
+#define PLAIN_CHOSEN(mask, a, b) \
+    ((VECTOR)(((mask) & (MASK)(a)) | (~(mask) & (MASK)(b))))
+
+/* The integer of a whole number from 0 to 2^52 - 1: the last bits of the sum
+ * with 2^52. */
+#define WHOLE(a) ((MASK)((a) + 0x1p52) ^ 0x4330000000000000)
+
+#define WIDTH        2 /* numbers in a register of 16 bytes */
+#define TARGET       MURK_TARGET_BASELINE
+#define NAMED(name)  name##_baseline
+#define CHOSEN       PLAIN_CHOSEN
+#define LOWER(a, b)  CHOSEN((a) < (b), a, b)
+#define HIGHER(a, b) CHOSEN((a) > (b), a, b)
+#define ROUNDED_DOWN(a) \
+    ((a) + 0x1p52 - 0x1p52 - AND((a) + 0x1p52 - 0x1p52 > (a), (VECTOR){0} + 1))
+#define EVEN_PAIRS(a, b) ((VECTOR){(a)[0], (b)[0]})
+#define ODD_PAIRS(a, b)  ((VECTOR){(a)[1], (b)[1]})
+#define LOADED           loaded_baseline
+#define ANY(mask)        (((mask)[0] | (mask)[1]) != 0)
 #include "transport/score_lanes_kernel.h"
 
 #if defined(__x86_64__)
 #define WIDTH       4 /* 32 bytes */
 #define TARGET      MURK_TARGET_AVX2
 #define NAMED(name) name##_avx2
+#define CHOSEN(mask, a, b) \
+    ((VECTOR)_mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(mask)))
+#define LOWER(a, b)     ((VECTOR)_mm256_min_pd((__m256d)(a), (__m256d)(b)))
+#define HIGHER(a, b)    ((VECTOR)_mm256_max_pd((__m256d)(a), (__m256d)(b)))
+#define ROUNDED_DOWN(a) ((VECTOR)_mm256_floor_pd((__m256d)(a)))
+#define EVEN_PAIRS(a, b) \
+    ((VECTOR)_mm256_unpacklo_pd((__m256d)(a), (__m256d)(b)))
+#define ODD_PAIRS(a, b) ((VECTOR)_mm256_unpackhi_pd((__m256d)(a), (__m256d)(b)))
+#define LOADED          loaded_avx2
+#define ANY(mask)       (_mm256_movemask_pd((__m256d)(mask)) != 0)
 #include "transport/score_lanes_kernel.h"
 
-#define WIDTH       8 /* 64 bytes */
-#define TARGET      MURK_TARGET_AVX512
-#define NAMED(name) name##_avx512
+#define WIDTH           8 /* 64 bytes */
+#define TARGET          MURK_TARGET_AVX512
+#define NAMED(name)     name##_avx512
+#define CHOSEN          PLAIN_CHOSEN
+#define LOWER(a, b)     ((VECTOR)_mm512_min_pd((__m512d)(a), (__m512d)(b)))
+#define HIGHER(a, b)    ((VECTOR)_mm512_max_pd((__m512d)(a), (__m512d)(b)))
+#define ROUNDED_DOWN(a) ((VECTOR)_mm512_floor_pd((__m512d)(a)))
+#define EVEN_PAIRS(a, b) \
+    ((VECTOR)_mm512_unpacklo_pd((__m512d)(a), (__m512d)(b)))
+#define ODD_PAIRS(a, b) ((VECTOR)_mm512_unpackhi_pd((__m512d)(a), (__m512d)(b)))
+#define LOADED          loaded_avx512
+#define ANY(mask)       (_mm512_movepi64_mask((__m512i)(mask)) != 0)
 #include "transport/score_lanes_kernel.h"
 #endif
 
-murk_lane_scoring murk_lane_scoring_for(murk_lane_set set)
+const murk_lane_scoring *murk_lane_scoring_for(murk_lane_set set)
 {
     static const murk_lane_scoring scoring[MURK_LANE_SETS] = {
-        [MURK_LANES_BASELINE] = score_baseline,
+        [MURK_LANES_BASELINE] = {select_baseline, score_baseline},
 #if defined(__x86_64__)
-        [MURK_LANES_AVX2] = score_avx2,
-        [MURK_LANES_AVX512] = score_avx512,
+        [MURK_LANES_AVX2] = {select_avx2, score_avx2},
+        [MURK_LANES_AVX512] = {select_avx512, score_avx512},
 #endif
     };
-    return scoring[set];
+    return &scoring[set];
 }

@@ -1,6 +1,18 @@
 /* The kernel of transport/score_lanes.c, which includes this file once for each
- * vector instruction set: WIDTH is the number of lanes in a register, TARGET
- * the attribute of functions, NAMED() gives names of the set.
+ * vector instruction set.
+ *
+ * The includer defines:
+ *   WIDTH              the number of lanes in a register
+ *   TARGET             the attribute of functions
+ *   NAMED()            names of the set
+ *   CHOSEN(m, a, b)    a where the mask is -1, b where it is 0
+ *   LOWER(a, b)        a < b ? a : b
+ *   HIGHER(a, b)       a > b ? a : b
+ *   ROUNDED_DOWN(a)    for numbers from 0 to 2^51
+ *   EVEN_PAIRS(a, b)   elements 0, 2, ... of a and b in turn
+ *   ODD_PAIRS(a, b)    elements 1, 3, ... of a and b in turn
+ *   LOADED(base, at)   the entries at base + at[0], base + at[2], ...
+ *   ANY(m)             true if the mask is -1 in some lane
  *
  * The operations are those of transport/score_grid.c in the same order. In each
  * round all photons of a register fly on to the next face between cells, until
@@ -15,46 +27,55 @@
 #define AXIS   NAMED(axis)
 #define KERNEL TARGET static inline __attribute__((always_inline)) void
 
-/* Numbers of the lanes; all bits of an element of a mask are equal. */
-typedef double VECTOR __attribute__((vector_size(8 * WIDTH)));
-typedef int64_t MASK __attribute__((vector_size(8 * WIDTH)));
-typedef int32_t NAMED(whole) __attribute__((vector_size(4 * WIDTH)));
+/* One axis of the grid, in all lanes. */
+typedef struct NAMED(grid_axis) {
+    VECTOR low_m, cells_per_m, size, stride;
+    MASK up, down; /* the stride to the next cell in both directions */
+} NAMED(grid_axis);
 
-#define AND(mask, a) ((VECTOR)((mask) & (MASK)(a)))
-#define CHOSEN(mask, a, b) \
-    ((VECTOR)(((mask) & (MASK)(a)) | (~(mask) & (MASK)(b))))
+/* The grid. */
+typedef struct NAMED(grid) {
+    NAMED(grid_axis) x, y, z;
+    VECTOR first, per_m;
+    MASK spare; /* the list that is written in lanes without a segment */
+} NAMED(grid);
 
 /* One axis of the segments; the unit of `at` and of faces is a cell. */
 typedef struct AXIS {
     VECTOR at, per_pace;    /* start; metres per cell */
     VECTOR face, step, end; /* the face ahead, the step to the next one, and
                              * the face after the last one to cross */
-    VECTOR first, last;     /* the cells of both ends */
+    VECTOR first, crossed;  /* the cell of the start; the number of faces */
+    MASK stride;            /* of the cell number, to the next cell ahead */
     MASK is_within;         /* both ends lie in the grid */
 } AXIS;
 
-/* Rounds down numbers from 0 to 2^51. */
-KERNEL NAMED(round_down)(VECTOR *x)
+KERNEL NAMED(set_up)(NAMED(grid_axis) * axis, double low_m, double cells_per_m,
+                     uint32_t size, uint32_t stride)
 {
-    const VECTOR rounded = *x + 0x1p52 - 0x1p52;
-    *x = rounded - AND(rounded > *x, (VECTOR){0} + 1);
+    const VECTOR zero = {0};
+    const MASK none = {0};
+    *axis = (NAMED(grid_axis)){.low_m = zero + low_m,
+                               .cells_per_m = zero + cells_per_m,
+                               .size = zero + size,
+                               .stride = zero + stride,
+                               .up = none + (int64_t)stride,
+                               .down = none - (int64_t)stride};
 }
 
-KERNEL NAMED(set_out)(AXIS *axis, const double *position,
-                      const double *direction, VECTOR length_m, double low,
-                      double cells_per_m, double size)
+KERNEL NAMED(set_out)(AXIS *axis, const NAMED(grid_axis) * grid,
+                      const double *position, const double *direction,
+                      VECTOR length_m)
 {
     VECTOR from, along;
     memcpy(&from, position, sizeof from);
     memcpy(&along, direction, sizeof along);
-    const VECTOR at = (from - low) * cells_per_m;
-    const VECTOR pace = along * cells_per_m;
+    const VECTOR at = (from - grid->low_m) * grid->cells_per_m;
+    const VECTOR pace = along * grid->cells_per_m;
     const VECTOR to = at + pace * length_m;
-    /* The cells of both ends; 0 for segments that are not within. */
-    const MASK is_within = (at >= 0) & (at < size) & (to >= 0) & (to < size);
-    VECTOR first = AND(is_within, at), last = AND(is_within, to);
-    NAMED(round_down)(&first);
-    NAMED(round_down)(&last);
+    /* The cells of both ends: numbers without use if a segment is not within.
+     */
+    const VECTOR first = ROUNDED_DOWN(at), last = ROUNDED_DOWN(to);
     /* The faces between them. */
     const MASK is_up = last > first;
     const VECTOR one = (VECTOR){0} + 1, up = AND(is_up, one);
@@ -64,133 +85,176 @@ KERNEL NAMED(set_out)(AXIS *axis, const double *position,
                    .step = CHOSEN(is_up, one, -one),
                    .end = last + up,
                    .first = first,
-                   .last = last,
-                   .is_within = is_within};
+                   .crossed = (VECTOR)((MASK)(last - first) & INT64_MAX),
+                   .stride = WHOLE_CHOSEN(is_up, grid->up, grid->down),
+                   .is_within =
+                       (LOWER(at, to) >= 0) & (HIGHER(at, to) < grid->size)};
 }
 
-/* The length at which the face ahead is met. */
-#define NEXT_M(axis)                  \
-    CHOSEN((axis).face != (axis).end, \
-           ((axis).face - (axis).at) * (axis).per_pace, infinite)
+/* The length at which the face is met; infinite after the last face. */
+KERNEL NAMED(meet)(VECTOR *next_m, const AXIS *axis)
+{
+    *next_m = CHOSEN(axis->face != axis->end,
+                     (axis->face - axis->at) * axis->per_pace,
+                     (VECTOR){0} + INFINITY);
+}
 
-/* Segments of WIDTH lanes. */
-TARGET static void NAMED(score_some)(const murk_lattice *lattice,
-                                     const murk_lane_segments *segments,
-                                     size_t lane)
+/* Segments of WIDTH lanes; those that are not within are left out. */
+KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
+                         const murk_lane_segments *segments,
+                         murk_lane_lists *lists, size_t lane)
 {
     const murk_lane_rays *const from = segments->from;
-    const double *const k = lattice->cells_per_m;
-    const double size[3] = {lattice->size[0], lattice->size[1],
-                            lattice->size[2]};
-    const murk_vec3 low = lattice->box.min;
-    const VECTOR infinite = (VECTOR){0} + INFINITY;
     /* The segments in units of cells. */
-    VECTOR length_m, quanta;
-    memcpy(&length_m, &segments->length_m[lane], sizeof length_m);
+    VECTOR whole_m, quanta;
+    memcpy(&whole_m, &segments->length_m[lane], sizeof whole_m);
     memcpy(&quanta, &from->quanta[lane], sizeof quanta);
-    const VECTOR quanta_per_m = quanta * lattice->per_m;
+    const VECTOR quanta_per_m = quanta * grid->per_m;
     AXIS x, y, z;
-    NAMED(set_out)
-    (&x, &from->x[lane], &from->dx[lane], length_m, low.x, k[0], size[0]);
-    NAMED(set_out)
-    (&y, &from->y[lane], &from->dy[lane], length_m, low.y, k[1], size[1]);
-    NAMED(set_out)
-    (&z, &from->z[lane], &from->dz[lane], length_m, low.z, k[2], size[2]);
-    const MASK is_within = x.is_within & y.is_within & z.is_within;
-    const VECTOR ahead = (x.last - x.first) * x.step +
-                         (y.last - y.first) * y.step +
-                         (z.last - z.first) * z.step;
-    const VECTOR crossed = AND(is_within, ahead);
-    const double row = size[0], layer = size[0] * size[1];
-    VECTOR cell = x.first + y.first * row + z.first * layer + lattice->first;
-    length_m = AND(is_within, length_m);
-    /* The last entry of each list. Lanes without a segment, or with one that is
-     * not within, have a list without effect. */
-    double no_value[WIDTH];
-    uint32_t no_cell[WIDTH];
-    double *value[WIDTH];
-    uint32_t *cells[WIDTH];
-    VECTOR last_value = {0}, last_cell = {0};
-    MASK last = {0};
-    double faces = 0;
-    for (size_t i = 0; i < WIDTH; ++i) {
-        const murk_score_path *const path = segments->path[lane + i];
-        const bool is_scored = path && is_within[i];
-        value[i] = is_scored ? path->value : &no_value[i];
-        cells[i] = is_scored ? path->cell : &no_cell[i];
-        last[i] = is_scored ? (int64_t)path->last : 0;
-        last_value[i] = is_scored ? path->value[path->last] : 0;
-        last_cell[i] = is_scored ? (int32_t)path->cell[path->last] : 0;
+    NAMED(set_out)(&x, &grid->x, &from->x[lane], &from->dx[lane], whole_m);
+    NAMED(set_out)(&y, &grid->y, &from->y[lane], &from->dy[lane], whole_m);
+    NAMED(set_out)(&z, &grid->z, &from->z[lane], &from->dz[lane], whole_m);
+    const MASK is_flown = whole_m > 0;
+    const MASK is_within = x.is_within & y.is_within & z.is_within & is_flown;
+    *is_left_out = is_flown & ~is_within;
+    const VECTOR length_m = AND(is_within, whole_m);
+    MASK cell = WHOLE(x.first + y.first * grid->y.stride +
+                      z.first * grid->z.stride + grid->first);
+    /* The faces to cross, and the largest number of them. */
+    const VECTOR crossed = AND(is_within, x.crossed + y.crossed + z.crossed);
+    double faces = crossed[0];
+    for (size_t i = 1; i < WIDTH; ++i) {
         faces = crossed[i] > faces ? crossed[i] : faces;
     }
-    /* Fly, until the photon that crosses most faces has arrived. */
+    /* The first entry of each segment: the last one of the list, if that is of
+     * the same cell, else a new one. */
+    MASK last;
+    memcpy(&last, &lists->last[lane], sizeof last);
+    char *const entries = (char *)lists->entries;
+    VECTOR even = LOADED(entries, &lists->last[lane]),
+           odd = LOADED(entries, &lists->last[lane + 1]);
+    const MASK is_same = cell == (MASK)ODD_PAIRS(even, odd);
+    VECTOR carried = AND(is_same, EVEN_PAIRS(even, odd));
+    const MASK first = WHOLE_CHOSEN(
+        is_within, last + (~is_same & (int64_t)sizeof(murk_score_entry)),
+        grid->spare);
+    last = WHOLE_CHOSEN(
+        is_within, first + WHOLE(crossed) * (int64_t)sizeof(murk_score_entry),
+        last);
+    memcpy(&lists->last[lane], &last, sizeof last);
+    char *at[WIDTH];
+    for (size_t i = 0; i < WIDTH; ++i) {
+        at[i] = entries + first[i];
+    }
+    /* Fly, until the photon that crosses most faces has arrived. What others
+     * write until then is beyond the end of their lists. */
     VECTOR t = {0};
-    for (;;) {
-        /* The nearest face. A photon that has arrived has no face ahead: which
-         * axis is chosen does not matter then. */
-        const VECTOR next_x = NEXT_M(x), next_y = NEXT_M(y), next_z = NEXT_M(z);
-        const MASK is_x = (next_x < next_y) & (next_x < next_z);
+    VECTOR next_x, next_y, next_z, after_x, after_y, after_z;
+    NAMED(meet)(&next_x, &x);
+    NAMED(meet)(&next_y, &y);
+    NAMED(meet)(&next_z, &z);
+    x.face += x.step;
+    y.face += y.step;
+    z.face += z.step;
+    for (int left = (int)faces;; --left) {
+        /* The nearest face: of faces at the same length that of z, then that of
+         * y. A photon that has arrived has no face ahead: which axis is chosen
+         * does not matter then. */
+        const VECTOR next_yz = LOWER(next_y, next_z);
+        const VECTOR met = LOWER(next_x, next_yz);
+        const MASK is_x = next_x < next_yz;
         const MASK is_y = ~is_x & (next_y < next_z);
-        const MASK is_z = ~(is_x | is_y);
-        const VECTOR met = CHOSEN(is_x, next_x, CHOSEN(is_y, next_y, next_z));
+        const MASK is_z = ~is_x & ~(next_y < next_z);
         /* The length up to the face, or to the end. */
-        const VECTOR until = CHOSEN(met < length_m, met, length_m);
-        const MASK is_on = until > t;
-        const VECTOR scored = AND(is_on, (until - t) * quanta_per_m);
-        t = CHOSEN(is_on, until, t);
-        /* Score in the last entry, if that is of the same cell, else in a new
-         * one. */
-        const MASK counts = scored > 0, is_same = cell == last_cell;
-        last_value =
-            CHOSEN(counts, AND(is_same, last_value) + scored, last_value);
-        last_cell = CHOSEN(counts, cell, last_cell);
-        last -= counts & ~is_same;
-        const NAMED(whole) whole =
-            __builtin_convertvector(last_cell, NAMED(whole));
+        const VECTOR until = LOWER(met, length_m), reached = HIGHER(until, t);
+        const VECTOR value = carried + (reached - t) * quanta_per_m;
+        t = reached;
+        carried = (VECTOR){0};
+        /* Write the entries. */
+        even = EVEN_PAIRS(value, (VECTOR)cell);
+        odd = ODD_PAIRS(value, (VECTOR)cell);
         for (size_t i = 0; i < WIDTH; ++i) {
-            value[i][last[i]] = last_value[i];
-            cells[i][last[i]] = (uint32_t)whole[i];
+            memcpy(at[i],
+                   (const murk_score_entry *)(i % 2 ? &odd : &even) + i / 2,
+                   sizeof(murk_score_entry));
+            at[i] += sizeof(murk_score_entry);
         }
-        if (!(faces > 0)) {
+        if (left == 0) {
             break;
         }
-        --faces;
-        /* Enter the next cell. */
-        const VECTOR step_x = AND(is_x, x.step), step_y = AND(is_y, y.step),
-                     step_z = AND(is_z, z.step);
-        x.face += step_x;
-        y.face += step_y;
-        z.face += step_z;
-        cell += step_x + step_y * row + step_z * layer;
-    }
-    /* The new ends of the lists, and the segments that are not within. */
-    for (size_t i = 0; i < WIDTH; ++i) {
-        murk_score_path *const path = segments->path[lane + i];
-        if (path && is_within[i]) {
-            path->last = (size_t)last[i];
-        } else if (path) {
-            score_one(lattice, segments, lane + i);
-        }
+        /* Enter the next cell. The face after the next one of each axis is
+         * computed in advance, which shortens the chain of operations from
+         * round to round. */
+        NAMED(meet)(&after_x, &x);
+        NAMED(meet)(&after_y, &y);
+        NAMED(meet)(&after_z, &z);
+        next_x = CHOSEN(is_x, after_x, next_x);
+        next_y = CHOSEN(is_y, after_y, next_y);
+        next_z = CHOSEN(is_z, after_z, next_z);
+        x.face += AND(is_x, x.step);
+        y.face += AND(is_y, y.step);
+        z.face += AND(is_z, z.step);
+        cell += WHOLE_CHOSEN(is_x, x.stride,
+                             WHOLE_CHOSEN(is_y, y.stride, z.stride));
     }
 }
 
 TARGET static void NAMED(score)(const murk_lattice *lattice,
-                                const murk_lane_segments *segments)
+                                const murk_lane_segments *segments,
+                                murk_lane_lists *lists)
+{
+    const double *const k = lattice->cells_per_m;
+    const uint32_t *const n = lattice->size;
+    NAMED(grid)
+    grid = {.first = (VECTOR){0} + lattice->first,
+            .per_m = (VECTOR){0} + lattice->per_m,
+            .spare = (MASK){0} + lists->spare};
+    NAMED(set_up)(&grid.x, lattice->box.min.x, k[0], n[0], 1);
+    NAMED(set_up)(&grid.y, lattice->box.min.y, k[1], n[1], n[0]);
+    NAMED(set_up)(&grid.z, lattice->box.min.z, k[2], n[2], n[0] * n[1]);
+    for (size_t lane = 0; lane < segments->n; lane += WIDTH) {
+        MASK is_left_out;
+        NAMED(score_some)(&is_left_out, &grid, segments, lists, lane);
+        for (size_t i = 0; ANY(is_left_out) && i < WIDTH; ++i) {
+            if (is_left_out[i]) {
+                score_one(lattice, segments, lists, lane + i);
+            }
+        }
+    }
+}
+
+TARGET static void NAMED(select)(murk_lane_segments *segments,
+                                 const murk_lane_lists *lists,
+                                 const double *meets, const double *distance_m)
 {
     for (size_t lane = 0; lane < segments->n; lane += WIDTH) {
-        NAMED(score_some)(lattice, segments, lane);
+        VECTOR met, length_m;
+        MASK last, limit;
+        memcpy(&met, &meets[lane], sizeof met);
+        memcpy(&length_m, &distance_m[lane], sizeof length_m);
+        memcpy(&last, &lists->last[lane], sizeof last);
+        memcpy(&limit, &lists->limit[lane], sizeof limit);
+        const MASK is_scored = (met != 0) & (last < limit);
+        length_m = AND(is_scored, length_m);
+        memcpy(&segments->is_scored[lane], &is_scored, sizeof is_scored);
+        memcpy(&segments->length_m[lane], &length_m, sizeof length_m);
     }
 }
 
 #undef WIDTH
 #undef TARGET
 #undef NAMED
+#undef CHOSEN
+#undef LOWER
+#undef HIGHER
+#undef ROUNDED_DOWN
+#undef EVEN_PAIRS
+#undef ODD_PAIRS
+#undef LOADED
+#undef ANY
 #undef VECTOR
 #undef MASK
 #undef AXIS
 #undef KERNEL
-#undef AND
-#undef CHOSEN
-#undef NEXT_M
 
 #endif

@@ -49,9 +49,8 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
                         (double)channels * sizeof(murk_tally_bin);
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
-    const double lists = (double)scorers_of(threads) * MURK_SCORE_PATHS *
-                         MURK_SCORE_STRIDE *
-                         (sizeof(double) + sizeof(uint32_t));
+    const double lists = (double)scorers_of(threads) *
+                         (double)MURK_SCORE_LISTS * sizeof(murk_score_entry);
     return sizeof(murk_tallies) + lists + cells * (sums + scratch) +
            largest_grid * bands * WRITTEN_BYTES;
 }
@@ -124,19 +123,19 @@ static void prepare(murk_tallies *t, const murk_tally_desc *descs,
 
 static bool is_whole(const murk_scorer *s)
 {
-    return s && s->sides && s->values && s->cells && s->sum && s->touched;
+    return s && s->sides && s->lists && s->sum && s->touched;
 }
 
 static void begin_lists(murk_scorer *s, size_t planes)
 {
+    s->spare = s->lists + (size_t)MURK_SCORE_PATHS * MURK_SCORE_STRIDE;
+    s->spare[0] = (murk_score_entry){0, MURK_SCORE_NO_CELL};
     for (size_t i = 0; i < MURK_SCORE_PATHS; ++i) {
         murk_score_path *const path = &s->path[i];
         *path = (murk_score_path){.scorer = s,
                                   .side = s->sides + i * (planes + 1),
-                                  .value = s->values + i * MURK_SCORE_STRIDE,
-                                  .cell = s->cells + i * MURK_SCORE_STRIDE};
-        path->value[0] = 0;
-        path->cell[0] = MURK_SCORE_NO_CELL;
+                                  .list = s->lists + i * MURK_SCORE_STRIDE};
+        path->list[0] = (murk_score_entry){0, MURK_SCORE_NO_CELL};
     }
 }
 
@@ -146,10 +145,7 @@ static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
     if (s) {
         s->tallies = t;
         s->sides = calloc(MURK_SCORE_PATHS * (t->planes + 1), sizeof *s->sides);
-        s->values =
-            malloc(MURK_SCORE_PATHS * MURK_SCORE_STRIDE * sizeof *s->values);
-        s->cells =
-            malloc(MURK_SCORE_PATHS * MURK_SCORE_STRIDE * sizeof *s->cells);
+        s->lists = malloc(MURK_SCORE_LISTS * sizeof *s->lists);
         s->sum = calloc(t->cells, sizeof *s->sum);
         s->touched = malloc((t->cells + 1) * sizeof *s->touched);
         s->is_alone = t->copies == t->scorers;
@@ -238,8 +234,7 @@ void murk_tallies_destroy(murk_tallies *t)
     for (size_t i = 0; t->scorer && i < t->scorers; ++i) {
         if (t->scorer[i]) {
             free(t->scorer[i]->sides);
-            free(t->scorer[i]->values);
-            free(t->scorer[i]->cells);
+            free(t->scorer[i]->lists);
             free(t->scorer[i]->sum);
             free(t->scorer[i]->touched);
             free(t->scorer[i]);

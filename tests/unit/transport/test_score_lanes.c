@@ -77,8 +77,7 @@ static bool are_equal(const murk_score_path *a, const murk_score_path *b)
 {
     bool is_equal = a->last == b->last;
     for (size_t i = 0; is_equal && i <= a->last; ++i) {
-        is_equal = a->cell[i] == b->cell[i] &&
-                   memcmp(&a->value[i], &b->value[i], sizeof a->value[i]) == 0;
+        is_equal = memcmp(&a->list[i], &b->list[i], sizeof a->list[i]) == 0;
     }
     return is_equal;
 }
@@ -88,7 +87,9 @@ static void compare(murk_lane_set set)
     murk_tallies *plain = created(), *fast = created();
     murk_scorer *by_one = murk_tallies_scorer(plain, 0);
     murk_scorer *by_lanes = murk_tallies_scorer(fast, 0);
-    const murk_lane_scoring scoring = murk_lane_scoring_for(set);
+    const murk_lane_scoring *scoring = murk_lane_scoring_for(set);
+    murk_lane_lists lists;
+    murk_lane_lists_create(&lists, by_lanes);
     murk_lane_rays rays;
     memset(&rays, 0, sizeof rays);
     double length_m[MURK_LANE_COUNT] = {0};
@@ -102,7 +103,8 @@ static void compare(murk_lane_set set)
             if (i >= segments.n || (i + step) % 5 == 0) {
                 continue;
             }
-            segments.path[i] = &by_lanes->path[i];
+            murk_lane_lists_open(&lists, i, &by_lanes->path[i]);
+            CHECK(lists.last[i] < lists.limit[i]);
             segments.length_m[i] = length_m[i];
             const size_t before = by_one->path[i].last;
             murk_score_lattice(&by_one->path[i], &plain->lattice[0],
@@ -112,8 +114,11 @@ static void compare(murk_lane_set set)
             entries += by_one->path[i].last - before;
             joined += by_one->path[i].last == before;
         }
-        scoring(&fast->lattice[0], &segments);
+        scoring->score(&fast->lattice[0], &segments, &lists);
         for (size_t i = 0; i < MURK_LANE_COUNT; ++i) {
+            if (lists.path[i]) {
+                murk_lane_lists_close(&lists, i);
+            }
             CHECK(are_equal(&by_one->path[i], &by_lanes->path[i]));
             /* Begin anew before a list is full. */
             if (by_one->path[i].last > MURK_SCORE_ENTRIES / 2) {
