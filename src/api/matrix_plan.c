@@ -6,7 +6,6 @@
 
 #include "api/matrix_settings.h"
 #include "base/interrupt.h"
-#include "base/machine.h"
 #include "base/progress.h"
 #include "results/exports.h"
 #include "results/identity.h"
@@ -15,10 +14,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Share of the free memory that the matrix of the solver may take, as in
- * plan/plan.c. */
-#define MATRIX_SHARE 0.7
 
 /* ---- the choice ---- */
 
@@ -98,10 +93,9 @@ static murk_status choose(murk_matrix_plan *p, murk_error *err)
     problem.redundancy = p->redundancy;
     murk_matrix *matrix = NULL;
     murk_status status = murk_matrix_goal(p, &problem, err);
-    const double max = MATRIX_SHARE * fmin(murk_machine_memory_bytes(), 1e18);
     double begun_s = murk_clock_s();
     if (!status) {
-        status = murk_matrix_create(&matrix, &problem, (uint64_t)max, err);
+        status = murk_matrix_create(&matrix, &problem, p->desc.row_memory, err);
     }
     p->session.run.sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();

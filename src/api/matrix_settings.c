@@ -3,6 +3,7 @@
 #include "api/matrix_settings.h"
 
 #include "api/scene.h"
+#include "plan/plan.h"
 #include "plan/poses.h"
 #include "scene/yaml.h"
 
@@ -23,6 +24,7 @@ static const char *const KEYS[] = {
     "placement.redundancy",
     "placement.restarts",
     "placement.nodes",
+    "placement.memory_mb",
 };
 #define N_KEYS (sizeof KEYS / sizeof *KEYS)
 
@@ -74,11 +76,14 @@ murk_status murk_matrix_settings(murk_matrix_plan *p, const murk_scene *scene,
 {
     p->desc = murk_place_defaults();
     murk_place_desc *desc = &p->desc;
-    murk_scene_desc asked = {.seed = desc->seed,
-                             .placement = {.method = desc->method,
-                                           .redundancy = 1,
-                                           .restarts = desc->restarts,
-                                           .nodes = desc->nodes}};
+    murk_scene_desc asked = {
+        .seed = desc->seed,
+        .placement = {.method = desc->method,
+                      .redundancy = 1,
+                      .restarts = desc->restarts,
+                      .nodes = desc->nodes,
+                      .memory_mb =
+                          (double)desc->row_memory / MURK_BYTES_PER_MB}};
     if (strcmp(scene->text, MURK_EMPTY_SCENE) != 0) {
         return murk_fail(err, MURK_BAD_VALUE, scene->name,
                          "has a text, must be a scene of murk_scene_create(): "
@@ -94,6 +99,8 @@ murk_status murk_matrix_settings(murk_matrix_plan *p, const murk_scene *scene,
     desc->method = asked.placement.method;
     desc->restarts = (size_t)asked.placement.restarts;
     desc->nodes = asked.placement.nodes;
+    desc->row_memory =
+        (uint64_t)(asked.placement.memory_mb * MURK_BYTES_PER_MB);
     p->detection = asked.placement.detection;
     p->redundancy = (unsigned)asked.placement.redundancy;
     p->target = asked.sensors.target;

@@ -1,8 +1,7 @@
-/* Scratch files (base/scratch_file.h). The file is unlinked as soon as it is
- * open. Addresses for the largest possible file are reserved by one mapping at
- * the start, which costs no memory; a block is written with pwrite(), so that a
- * full disk is an error of that call, and is read through the mapping only
- * after it is written. */
+/* Scratch files (base/scratch_file.h). Addresses for the largest possible file
+ * are reserved by one mapping at the start, which costs no memory; a block is
+ * written with pwrite(), so that a full disk is an error of that call, and is
+ * read through the mapping only after it is written. */
 #include "base/scratch_file.h"
 
 #include "base/tally.h"
@@ -14,17 +13,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 /* Alignment of blocks: one cache line, the widest vector register. */
 #define ALIGNMENT 64
 
-/* Addresses are reserved for so many times the free space of the file system,
- * because space of discarded blocks is used again under new addresses; but for
- * at most ADDRESSES_MAX bytes, an eighth of what a 64-bit process has. */
-#define ADDRESSES_PER_FREE 4
-#define ADDRESSES_MAX      0x1p44
+/* Fewer addresses than this are not worth a file: the process is at its limit.
+ */
+#define MAP_MIN ((size_t)1 << 20)
 
 struct murk_scratch_file {
     int fd;
@@ -66,30 +64,43 @@ static int open_nameless(void)
         errno = ENAMETOOLONG;
         return -1;
     }
-    const int fd = mkstemp(path);
+    const int fd = mkostemp(path, O_CLOEXEC);
     if (fd >= 0) {
         (void)unlink(path);
-        (void)fcntl(fd, F_SETFD, FD_CLOEXEC);
     }
     return fd;
 }
 
-murk_status murk_scratch_file_create(murk_scratch_file **out, murk_error *err)
+/* Reserves addresses for bytes_max bytes, or for a half, a quarter and so on,
+ * because the addresses of a process may be limited. False if there are hardly
+ * any; errno has the reason. */
+static bool reserve(murk_scratch_file *file, uint64_t bytes_max)
+{
+    const uint64_t least = MAP_MIN;
+    uint64_t bytes = bytes_max > least ? bytes_max : least;
+    for (; bytes >= least; bytes /= 2) {
+        void *map = bytes <= SIZE_MAX / 2 ? mmap(NULL, (size_t)bytes, PROT_READ,
+                                                 MAP_SHARED, file->fd, 0)
+                                          : MAP_FAILED;
+        if (map != MAP_FAILED) {
+            file->map = map;
+            file->map_bytes = (size_t)bytes;
+            return true;
+        }
+    }
+    return false;
+}
+
+murk_status murk_scratch_file_create(murk_scratch_file **out,
+                                     uint64_t bytes_max, murk_error *err)
 {
     murk_scratch_file *file = calloc(1, sizeof *file);
     if (!file) {
         return murk_no_memory(err, "", "for a scratch file");
     }
     file->fd = open_nameless();
-    if (file->fd >= 0) {
-        file->map_bytes = (size_t)fmin(
-            ADDRESSES_PER_FREE * murk_scratch_free_bytes(), ADDRESSES_MAX);
-        file->map =
-            mmap(NULL, file->map_bytes, PROT_READ, MAP_SHARED, file->fd, 0);
-    }
-    if (file->fd < 0 || file->map == MAP_FAILED) {
+    if (file->fd < 0 || !reserve(file, bytes_max)) {
         const int reason = errno;
-        file->map = NULL;
         murk_scratch_file_destroy(file);
         return fail(err, reason);
     }
@@ -134,13 +145,29 @@ void *murk_scratch_file_append(murk_scratch_file *file, const void *block,
     const size_t padded = (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     const int64_t at = atomic_fetch_add(&file->end, (int64_t)padded);
     const int reason = (uint64_t)at + padded > file->map_bytes
-                           ? ENOSPC
+                           ? ENOMEM
                            : write_block(file->fd, block, size, at);
     if (reason) {
         atomic_store(&file->error, reason);
         return NULL;
     }
     return file->map + at;
+}
+
+double murk_scratch_file_room(const murk_scratch_file *file)
+{
+    const double end = (double)murk_tally_read(&file->end);
+    double room = (double)file->map_bytes - end;
+    struct statvfs system;
+    if (fstatvfs(file->fd, &system) == 0) {
+        room = fmin(room, (double)system.f_bavail * (double)system.f_frsize);
+    }
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
+        limit.rlim_cur != RLIM_INFINITY) {
+        room = fmin(room, (double)limit.rlim_cur - end);
+    }
+    return fmax(room, 0);
 }
 
 murk_status murk_scratch_file_check(const murk_scratch_file *file,

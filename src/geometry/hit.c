@@ -105,7 +105,7 @@ static bool is_in_corner(const murk_walk *w, murk_vec3 point, murk_vec3 normal)
 }
 
 /* The distance of the hit; if an opaque triangle was hit in a corner, less by
- * DRAW_BACK_UNITS float steps, but at minimum half of the distance. */
+ * DRAW_BACK_UNITS float steps, but by half of the distance at least. */
 static double drawn_back(const murk_walk *w, murk_primitive p, murk_vec3 normal,
                          double distance)
 {

@@ -47,8 +47,10 @@ static bool add_block(murk_linear_blocks *b, const int32_t first[3],
     }
     if (b->n == *capacity) {
         const size_t larger = *capacity + *capacity / 2 + 16;
-        murk_linear_block *block = realloc(b->block, larger * sizeof *block);
-        if (larger > UINT32_MAX || !block) {
+        murk_linear_block *block =
+            larger <= UINT32_MAX ? realloc(b->block, larger * sizeof *block)
+                                 : NULL;
+        if (!block) {
             return false;
         }
         b->block = block;

@@ -40,11 +40,13 @@ static bool is_unknown(const murk_overview *o)
     return o->session->scene->placement.knowledge == MURK_SCENE_UNKNOWN;
 }
 
-/* The largest size [bytes] of the scratch file that has the other rows in a
- * known environment. */
+/* The largest size [bytes] of the scratch file that has rows in a known
+ * environment. */
 static double scratch_bytes(const murk_overview *o)
 {
-    return is_unknown(o) ? 0 : matrix_bytes(o) - memory_of_rows(o);
+    return is_unknown(o) || matrix_bytes(o) <= memory_of_rows(o)
+               ? 0
+               : matrix_bytes(o);
 }
 
 static void add_surfaces(cJSON *root, const murk_overview *o)

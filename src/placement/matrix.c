@@ -83,23 +83,31 @@ static void fill_sample(void *context, unsigned worker, uint64_t k)
     fill_row(f, worker, (uint64_t)(share * (double)f->matrix->candidates));
 }
 
-/* Refuses a matrix, of estimated size, that does not fit on the disk. */
-static murk_status check_disk(const fill_task *f, double bytes, murk_error *err)
+/* Refuses a matrix, of estimated size, that memory and scratch file do not
+ * hold. */
+static murk_status check_room(const fill_task *f, double bytes, murk_error *err)
 {
     const murk_row_space *space = f->matrix->space;
     const double memory = (double)space->memory_max;
-    const double free_bytes = murk_scratch_free_bytes();
-    if (!space->file || bytes - memory <= free_bytes) {
-        return MURK_OK;
+    if (!space->file) {
+        return murk_fail(err, space->error.code, space->error.where, "%s",
+                         space->error.text);
     }
-    return murk_fail(
-        err, MURK_RUN_FAILED, murk_scratch_folder(),
-        "the coverage matrix of %zu candidates and %zu photons takes about "
-        "%.3g GB: %.3g GB in memory, and the rest in a scratch file in this "
-        "folder, which has %.3g GB free; TMPDIR may name another folder, and "
-        "fewer candidates or photons, or `knowledge: unknown`, need less",
-        f->problem->candidates, f->problem->photons, gigabytes(bytes),
-        gigabytes(memory), gigabytes(free_bytes));
+    /* The sample is in the file already. */
+    const double room = murk_scratch_file_room(space->file) +
+                        (double)murk_tally_read(&space->in_file);
+    return bytes - memory <= room
+               ? MURK_OK
+               : murk_fail(err, MURK_RUN_FAILED, murk_scratch_folder(),
+                           "the coverage matrix of %zu candidates and %zu "
+                           "photons takes about %.3g GB: %.3g GB in memory, "
+                           "and the rest in a scratch file in this folder, "
+                           "which can take %.3g GB; TMPDIR may name another "
+                           "folder, and fewer candidates or photons, or "
+                           "`knowledge: unknown`, need less",
+                           f->problem->candidates, f->problem->photons,
+                           gigabytes(bytes), gigabytes(memory),
+                           gigabytes(room));
 }
 
 /* Computes a sample of the rows, and estimates the matrix. If memory cannot
@@ -121,17 +129,18 @@ static murk_status forecast(fill_task *f, murk_error *err)
     if (bytes <= (double)space->memory_max) {
         return MURK_OK;
     }
-    const murk_status status = check_disk(f, bytes, err);
+    const murk_status status = check_room(f, bytes, err);
     if (!status) {
         murk_note("coverage matrix",
                   "%zu candidates and %zu photons take about %.3g GB and %.2g "
                   "s to compute: %.3g GB in memory, the rest in a scratch file "
-                  "in %s (%.3g GB free)",
+                  "in %s, which can take %.3g GB",
                   problem->candidates, problem->photons, gigabytes(bytes),
                   elapsed_s * of_all, gigabytes((double)space->memory_max),
-                  murk_scratch_folder(), gigabytes(murk_scratch_free_bytes()));
+                  murk_scratch_folder(),
+                  gigabytes(murk_scratch_file_room(space->file)));
     }
-    return status ? status : murk_row_space_check(space, err);
+    return status;
 }
 
 /* Fails if not all rows are stored. */
@@ -270,7 +279,9 @@ void murk_matrix_destroy(murk_matrix *matrix)
     if (!matrix->borrows_rows) {
         for (size_t j = 0;
              matrix->row && matrix->space && j < matrix->candidates; ++j) {
-            murk_row_space_drop(matrix->space, &matrix->row[j]);
+            if (!matrix->row[j].is_in_file) { /* the file goes as a whole */
+                murk_row_space_drop(matrix->space, &matrix->row[j]);
+            }
         }
         if (matrix->space) {
             murk_row_space_release(matrix->space);

@@ -12,7 +12,6 @@ struct murk_matrix {
     bool borrows_rows; /* row and space belong to another matrix */
     bool is_binary;    /* each row is BITS or CLEAR_LIST */
     uint64_t pairs;
-    size_t memory_bytes;
 };
 
 /* The choice whether photons with equal columns are merged (placement/merge.h).

@@ -28,8 +28,8 @@ typedef struct murk_row {
                            the last element is `words` */
     const uint16_t *clarity; /* DENSE: [slots]; PACKED, LIST: [seen] */
     const uint32_t *slot;    /* [seen], distinct; LIST and CLEAR_LIST only */
-    void *memory;            /* the block that has all arrays, for free() unless
-                                is_in_file;            NULL if borrowed */
+    void *memory;            /* the block that has all arrays; for free() unless
+                                is_in_file; NULL if borrowed */
     size_t memory_bytes;
 } murk_row;
 

@@ -23,7 +23,10 @@ void murk_row_space_init(murk_row_space *out, uint64_t bytes_max,
         const int64_t window = out->memory_max / WINDOW_SHARE;
         out->memory_max -= window;
         out->window_max = window > WINDOW_MIN ? window : WINDOW_MIN;
-        if (murk_scratch_file_create(&out->file, &out->error)) {
+        /* Twice, because merging photons stores all rows once more. */
+        const uint64_t twice =
+            bytes_max < UINT64_MAX / 2 ? 2 * bytes_max : UINT64_MAX;
+        if (murk_scratch_file_create(&out->file, twice, &out->error)) {
             out->file = NULL;
         }
     }
@@ -87,6 +90,12 @@ murk_status murk_row_space_check(const murk_row_space *space, murk_error *err)
                                      "%s", space->error.text)
            : space->file ? murk_scratch_file_check(space->file, err)
                          : MURK_OK;
+}
+
+bool murk_row_space_has_room(const murk_row_space *space)
+{
+    const double in_file = (double)murk_tally_read(&space->in_file);
+    return in_file <= 0 || in_file <= murk_scratch_file_room(space->file);
 }
 
 void murk_row_space_drop(murk_row_space *space, murk_row *row)

@@ -10,12 +10,14 @@
 #include "placement/row.h"
 
 typedef struct murk_row_space {
-    int64_t memory_max;      /* bytes of rows in memory */
-    int64_t window_max;      /* bytes of the file that are kept in memory */
-    murk_tally memory;       /* bytes of rows in memory */
-    murk_tally in_file;      /* bytes of rows in the file */
-    murk_tally window;       /* bytes read from the file since its pages were
-                                last evicted */
+    int64_t memory_max; /* bytes of rows in memory */
+    int64_t window_max; /* bytes of the file that are kept in memory */
+    murk_tally memory;  /* bytes of rows in memory */
+    murk_tally in_file; /* bytes of rows in the file */
+    murk_tally window;  /* bytes of pages that were read from the file since all
+                           were last evicted, at most */
+    _Atomic uintptr_t last;  /* number of the last piece of the file that was
+                                read (MURK_ROW_SPACE_PIECE) */
     murk_scratch_file *file; /* NULL: all rows lie in memory */
     murk_error error;        /* the reason why there is no file */
 } murk_row_space;
@@ -36,6 +38,9 @@ bool murk_row_space_keep(murk_row_space *space, murk_row *row);
 /* Fails with MURK_RUN_FAILED if a row was refused. */
 murk_status murk_row_space_check(const murk_row_space *space, murk_error *err);
 
+/* True if all rows can be stored once more before they are freed. */
+bool murk_row_space_has_room(const murk_row_space *space);
+
 /* Frees a row. May be called from any thread. */
 void murk_row_space_drop(murk_row_space *space, murk_row *row);
 
@@ -46,16 +51,24 @@ static inline uint64_t murk_row_space_bytes(const murk_row_space *space)
                       murk_tally_read(&space->in_file));
 }
 
-/* Part of a page of the file that a row may share with others. */
-#define MURK_ROW_SPACE_PAGE 4096
+/* Linux brings pages into memory in aligned pieces of up to so many bytes
+ * (fault-around). */
+#define MURK_ROW_SPACE_PIECE 65536
 
 /* To be called before a row is read: keeps the pages of the file that lie in
- * memory below the limit. May be called from any thread. */
+ * memory below the limit. Pieces count when they are read, but a piece counts
+ * once if one row after the other reads it. May be called from any thread. */
 static inline void murk_row_space_read(murk_row_space *space,
                                        const murk_row *row)
 {
     if (row->is_in_file) {
-        const int64_t bytes = (int64_t)row->memory_bytes + MURK_ROW_SPACE_PAGE;
+        const uintptr_t first = (uintptr_t)row->memory / MURK_ROW_SPACE_PIECE;
+        const uintptr_t end =
+            ((uintptr_t)row->memory + row->memory_bytes) / MURK_ROW_SPACE_PIECE;
+        const uintptr_t last =
+            atomic_exchange_explicit(&space->last, end, memory_order_relaxed);
+        const int64_t bytes =
+            (int64_t)(end - first + (first != last)) * MURK_ROW_SPACE_PIECE;
         const int64_t before = atomic_fetch_add_explicit(&space->window, bytes,
                                                          memory_order_relaxed);
         if (before + bytes > space->window_max) {

@@ -51,6 +51,7 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
         murk_curve_point *last = &out->curve[out->curve_points - 1];
         last->upper = out->upper < last->upper ? out->upper : last->upper;
         out->upper = last->upper;
+        out->is_interrupted |= intermediate.is_interrupted;
     }
     murk_place_release(&intermediate);
     return later;

@@ -13,9 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The unit of placement.memory_mb. */
-#define BYTES_PER_MB 1048576.0
-
 /* An estimate that has no value. */
 static const murk_estimate NO_ESTIMATE = {NAN, NAN};
 
@@ -26,7 +23,8 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
     desc.count = (size_t)scene->sensors.count;
     desc.restarts = (size_t)scene->placement.restarts;
     desc.nodes = scene->placement.nodes;
-    desc.row_memory = (uint64_t)(scene->placement.memory_mb * BYTES_PER_MB);
+    desc.row_memory =
+        (uint64_t)(scene->placement.memory_mb * MURK_BYTES_PER_MB);
     desc.seed = scene->seed;
     return desc;
 }
@@ -218,7 +216,8 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         "(%.2g rays, %.2g s) are looked up, and the plan is as good. method: "
         "greedy or spoq, or fewer restarts, take less time",
         queries, queries * each, queries * each_s, starts, desc->restarts,
-        ceil(bytes / BYTES_PER_MB), n, each * (double)n, each_s * (double)n);
+        ceil(bytes / MURK_BYTES_PER_MB), n, each * (double)n,
+        each_s * (double)n);
 }
 
 /* Chooses the sensors by the method that placement.knowledge asks for. */

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 enum { BLOCKS = 200 };
 
@@ -46,7 +48,7 @@ static void test_blocks_come_back(void)
 {
     blocks b = {0};
     murk_error err = {0};
-    CHECK(murk_scratch_file_create(&b.file, &err) == MURK_OK);
+    CHECK(murk_scratch_file_create(&b.file, BLOCKS * 21000, &err) == MURK_OK);
     murk_pool_run_workers(2, BLOCKS, write_one, &b);
     CHECK(murk_scratch_file_check(b.file, &err) == MURK_OK);
     for (size_t k = 0; k < BLOCKS; ++k) {
@@ -64,6 +66,77 @@ static void test_blocks_come_back(void)
     murk_scratch_file_destroy(b.file);
 }
 
+/* The resident pages of files that the process has mapped [bytes]. */
+static double mapped_bytes(void)
+{
+    FILE *file = fopen("/proc/self/statm", "r");
+    long size = 0, resident = 0, shared = 0;
+    CHECK(file && fscanf(file, "%ld %ld %ld", &size, &resident, &shared) == 3);
+    if (file) {
+        fclose(file);
+    }
+    return (double)shared * (double)sysconf(_SC_PAGESIZE);
+}
+
+/* The bytes of the disk that open files without a name take, or of the first of
+ * them. */
+static double disk_bytes(void)
+{
+    for (int fd = 3; fd < 64; ++fd) {
+        struct stat status;
+        if (fstat(fd, &status) == 0 && status.st_nlink == 0 &&
+            S_ISREG(status.st_mode)) {
+            return (double)status.st_blocks * 512;
+        }
+    }
+    return NAN;
+}
+
+/* Pages that were read leave the memory, and discarded blocks the disk. */
+static void test_pages_go(void)
+{
+    enum { SIZE = 1 << 24 };
+    char *block = malloc(SIZE);
+    murk_scratch_file *file = NULL;
+    murk_error err = {0};
+    memset(block, 7, SIZE);
+    CHECK(murk_scratch_file_create(&file, 2 * SIZE, &err) == MURK_OK);
+    const double empty = mapped_bytes();
+    char *copy = murk_scratch_file_append(file, block, SIZE);
+    CHECK(copy && memcmp(copy, block, SIZE) == 0);
+    CHECK(mapped_bytes() - empty > .9 * SIZE);
+    murk_scratch_file_evict(file);
+    CHECK(mapped_bytes() - empty < .1 * SIZE);
+    CHECK(disk_bytes() > .9 * SIZE);
+    murk_scratch_file_discard(file, copy, SIZE);
+    CHECK(disk_bytes() < .1 * SIZE);
+    /* Addresses for two blocks were asked for. */
+    CHECK(murk_scratch_file_append(file, block, SIZE));
+    CHECK(!murk_scratch_file_append(file, block, SIZE));
+    CHECK(murk_scratch_file_check(file, &err) == MURK_RUN_FAILED);
+    CHECK_MENTIONS(err.text, "Cannot allocate memory");
+    murk_scratch_file_destroy(file);
+    free(block);
+}
+
+/* A process that may have few addresses gets a smaller file. Leaves the limit
+ * as it was. */
+static void test_few_addresses(void)
+{
+    struct rlimit before, few = {(rlim_t)1 << 36, (rlim_t)1 << 36};
+    murk_scratch_file *file = NULL;
+    murk_error err = {0};
+    CHECK(getrlimit(RLIMIT_AS, &before) == 0);
+    few.rlim_max = before.rlim_max;
+    if (before.rlim_cur < few.rlim_cur || setrlimit(RLIMIT_AS, &few)) {
+        return; /* under a smaller limit already, as with sanitizers */
+    }
+    CHECK(murk_scratch_file_create(&file, UINT64_C(1) << 40, &err) == MURK_OK);
+    CHECK(file && murk_scratch_file_room(file) <= 0x1p36);
+    murk_scratch_file_destroy(file);
+    CHECK(setrlimit(RLIMIT_AS, &before) == 0);
+}
+
 static void test_folder(void)
 {
     murk_scratch_file *file = NULL;
@@ -72,7 +145,7 @@ static void test_folder(void)
     CHECK_TEXT(murk_scratch_folder(), "/var/tmp");
     CHECK(murk_scratch_free_bytes() > 0);
     setenv("TMPDIR", "/there/is/no/such/folder", 1);
-    CHECK(murk_scratch_file_create(&file, &err) == MURK_RUN_FAILED && !file);
+    CHECK(murk_scratch_file_create(&file, 1, &err) == MURK_RUN_FAILED && !file);
     CHECK_TEXT(err.where, "/there/is/no/such/folder");
     CHECK_MENTIONS(err.text, "cannot write a scratch file: No such file");
     unsetenv("TMPDIR");
@@ -86,11 +159,13 @@ static void test_full_disk(void)
     static const char block[1 << 19];
     murk_scratch_file *file = NULL;
     murk_error err = {0};
-    CHECK(murk_scratch_file_create(&file, &err) == MURK_OK);
+    CHECK(murk_scratch_file_create(&file, 1 << 24, &err) == MURK_OK);
     signal(SIGXFSZ, SIG_IGN);
     CHECK(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+    CHECK(murk_scratch_file_room(file) == 1 << 20);
     CHECK(murk_scratch_file_append(file, block, sizeof block));
     CHECK(murk_scratch_file_append(file, block, sizeof block));
+    CHECK(murk_scratch_file_room(file) == 0);
     CHECK(murk_scratch_file_check(file, &err) == MURK_OK);
     CHECK(!murk_scratch_file_append(file, block, sizeof block));
     CHECK(murk_scratch_file_check(file, &err) == MURK_RUN_FAILED);
@@ -101,6 +176,8 @@ static void test_full_disk(void)
 int main(void)
 {
     test_blocks_come_back();
+    test_pages_go();
+    test_few_addresses();
     test_folder();
     test_full_disk();
     return check_done();

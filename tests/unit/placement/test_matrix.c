@@ -5,6 +5,9 @@
 #include "made_up.h"
 #include "placement/worst_bound.h"
 
+#include <signal.h>
+#include <sys/resource.h>
+
 #define MATRIX_MAX ((uint64_t)1 << 32)
 
 static void test_pairs_and_memory(void)
@@ -97,6 +100,29 @@ static void test_missing_scratch_folder(void)
     made_up_destroy(m);
 }
 
+/* The sample looks at 32 of 1000 candidates and sees few of the 39 that see
+ * all; a file that cannot grow any more ends the run. Last but one: the limit
+ * on the size of files stays. */
+static void test_growth_behind_the_sample(void)
+{
+    const struct rlimit limit = {10000, 10000};
+    made_up *m = made_up_create(1, 3200, 1000, 0, 100, 1, 2);
+    murk_matrix *matrix = NULL;
+    murk_error err = {0};
+    for (size_t j = 1; j < 40; ++j) {
+        for (size_t i = 0; i < 3200; ++i) {
+            m->clarity[j * 3200 + i] = 1;
+        }
+    }
+    signal(SIGXFSZ, SIG_IGN);
+    CHECK(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+    CHECK(murk_matrix_create(&matrix, &m->problem, 280000, &err) ==
+          MURK_RUN_FAILED);
+    CHECK_MENTIONS(err.text, "File too large");
+    CHECK(matrix == NULL);
+    made_up_destroy(m);
+}
+
 static void row_then_interrupt(void *context, unsigned worker, size_t candidate,
                                murk_sparse_row *row)
 {
@@ -169,6 +195,7 @@ int main(void)
     test_pairs_and_memory();
     test_too_large_is_refused_with_figures();
     test_missing_scratch_folder();
+    test_growth_behind_the_sample();
     test_interrupt_ends_all();
     return check_done();
 }

@@ -6,7 +6,9 @@
 #include "made_up.h"
 #include "placement/matrix.h"
 
+#include <signal.h>
 #include <string.h>
+#include <sys/resource.h>
 
 enum { PHOTONS = 1000, CANDIDATES = 30 };
 
@@ -99,6 +101,30 @@ static void test_rows(murk_row_kind kind, double share, uint32_t levels)
     made_up_destroy(m);
 }
 
+/* A matrix that the disk can hold once but not twice stays unmerged. Last: the
+ * limit on the size of files stays. */
+static void test_no_room_to_merge(void)
+{
+    made_up *m = made_up_create(7, PHOTONS, CANDIDATES, .3, 1, 1, 2);
+    murk_matrix *memory = NULL, *matrix = NULL;
+    murk_error err = {0};
+    CHECK(!murk_matrix_make(&memory, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
+                            &err));
+    const rlim_t size = murk_row_space_bytes(memory->space) * 3 / 2;
+    const struct rlimit limit = {size, size};
+    signal(SIGXFSZ, SIG_IGN);
+    CHECK(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+    CHECK(!murk_matrix_make(&matrix, &m->problem, 0, MURK_MERGE_ALWAYS, &err));
+    CHECK_TEXT(err.text, "");
+    CHECK(matrix && matrix->layout.photons == PHOTONS);
+    if (matrix) {
+        check_plans(m, memory, matrix);
+    }
+    murk_matrix_destroy(matrix);
+    murk_matrix_destroy(memory);
+    made_up_destroy(m);
+}
+
 int main(void)
 {
     murk_warn_to(NULL); /* the forecasts */
@@ -107,5 +133,6 @@ int main(void)
     test_rows(MURK_ROW_DENSE, .9, 50);
     test_rows(MURK_ROW_LIST, .02, 50);
     test_rows(MURK_ROW_CLEAR_LIST, .02, 1);
+    test_no_room_to_merge();
     return check_done();
 }
