@@ -76,9 +76,9 @@ static int open_nameless(void)
  * any; errno has the reason. */
 static bool reserve(murk_scratch_file *file, uint64_t bytes_max)
 {
-    const uint64_t least = MAP_MIN;
-    uint64_t bytes = bytes_max > least ? bytes_max : least;
-    for (; bytes >= least; bytes /= 2) {
+    const uint64_t minimum = MAP_MIN;
+    uint64_t bytes = bytes_max > minimum ? bytes_max : minimum;
+    for (; bytes >= minimum; bytes /= 2) {
         void *map = bytes <= SIZE_MAX / 2 ? mmap(NULL, (size_t)bytes, PROT_READ,
                                                  MAP_SHARED, file->fd, 0)
                                           : MAP_FAILED;
@@ -154,20 +154,20 @@ void *murk_scratch_file_append(murk_scratch_file *file, const void *block,
     return file->map + at;
 }
 
-double murk_scratch_file_room(const murk_scratch_file *file)
+double murk_scratch_file_left(const murk_scratch_file *file)
 {
     const double end = (double)murk_tally_read(&file->end);
-    double room = (double)file->map_bytes - end;
+    double left = (double)file->map_bytes - end;
     struct statvfs system;
     if (fstatvfs(file->fd, &system) == 0) {
-        room = fmin(room, (double)system.f_bavail * (double)system.f_frsize);
+        left = fmin(left, (double)system.f_bavail * (double)system.f_frsize);
     }
     struct rlimit limit;
     if (getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
         limit.rlim_cur != RLIM_INFINITY) {
-        room = fmin(room, (double)limit.rlim_cur - end);
+        left = fmin(left, (double)limit.rlim_cur - end);
     }
-    return fmax(room, 0);
+    return fmax(left, 0);
 }
 
 murk_status murk_scratch_file_check(const murk_scratch_file *file,

@@ -24,7 +24,7 @@ const char *murk_scratch_folder(void);
 double murk_scratch_free_bytes(void);
 
 /* Makes an empty file for blocks of bytes_max bytes altogether, for whose
- * addresses it reserves room, as far as the process may have so many. Fails at
+ * addresses it reserves left, as far as the process may have so many. Fails at
  * the folder with MURK_RUN_FAILED, or with MURK_NO_MEMORY. */
 murk_status murk_scratch_file_create(murk_scratch_file **out,
                                      uint64_t bytes_max, murk_error *err);
@@ -39,7 +39,7 @@ void *murk_scratch_file_append(murk_scratch_file *file, const void *block,
 
 /* The bytes that the file can still take: as the free space of the file system,
  * the limit on the size of files and the addresses that are reserved allow. */
-double murk_scratch_file_room(const murk_scratch_file *file);
+double murk_scratch_file_left(const murk_scratch_file *file);
 
 /* Fails with MURK_RUN_FAILED if a block could not be written. */
 murk_status murk_scratch_file_check(const murk_scratch_file *file,

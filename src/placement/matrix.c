@@ -85,7 +85,7 @@ static void fill_sample(void *context, unsigned worker, uint64_t k)
 
 /* Refuses a matrix, of estimated size, that memory and scratch file do not
  * hold. */
-static murk_status check_room(const fill_task *f, double bytes, murk_error *err)
+static murk_status check_size(const fill_task *f, double bytes, murk_error *err)
 {
     const murk_row_space *space = f->matrix->space;
     const double memory = (double)space->memory_max;
@@ -94,7 +94,7 @@ static murk_status check_room(const fill_task *f, double bytes, murk_error *err)
                          space->error.text);
     }
     /* The sample is in the file already. */
-    const double room = murk_scratch_file_room(space->file) +
+    const double left = murk_scratch_file_left(space->file) +
                         (double)murk_tally_read(&space->in_file);
     return bytes - memory <= room
                ? MURK_OK
@@ -107,7 +107,7 @@ static murk_status check_room(const fill_task *f, double bytes, murk_error *err)
                            "`knowledge: unknown`, need less",
                            f->problem->candidates, f->problem->photons,
                            gigabytes(bytes), gigabytes(memory),
-                           gigabytes(room));
+                           gigabytes(left));
 }
 
 /* Computes a sample of the rows, and estimates the matrix. If memory cannot
@@ -129,7 +129,7 @@ static murk_status forecast(fill_task *f, murk_error *err)
     if (bytes <= (double)space->memory_max) {
         return MURK_OK;
     }
-    const murk_status status = check_room(f, bytes, err);
+    const murk_status status = check_size(f, bytes, err);
     if (!status) {
         murk_note("coverage matrix",
                   "%zu candidates and %zu photons take about %.3g GB and %.2g "
@@ -138,7 +138,7 @@ static murk_status forecast(fill_task *f, murk_error *err)
                   problem->candidates, problem->photons, gigabytes(bytes),
                   elapsed_s * of_all, gigabytes((double)space->memory_max),
                   murk_scratch_folder(),
-                  gigabytes(murk_scratch_file_room(space->file)));
+                  gigabytes(murk_scratch_file_left(space->file)));
     }
     return status;
 }

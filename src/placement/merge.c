@@ -336,7 +336,8 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
         fewer.weight = m.weight;
         status = murk_layout_init(&m.layout, &fewer, true, err);
     }
-    const bool pays = has_memory && !status && murk_row_space_has_room(space) &&
+    const bool pays = has_memory && !status &&
+                      murk_row_space_holds_twice(space) &&
                       (is_forced || scan_cost(&m.layout) <
                                         COST_RATIO_MAX * scan_cost(layout));
     if (pays) {

@@ -92,10 +92,10 @@ murk_status murk_row_space_check(const murk_row_space *space, murk_error *err)
                          : MURK_OK;
 }
 
-bool murk_row_space_has_room(const murk_row_space *space)
+bool murk_row_space_holds_twice(const murk_row_space *space)
 {
     const double in_file = (double)murk_tally_read(&space->in_file);
-    return in_file <= 0 || in_file <= murk_scratch_file_room(space->file);
+    return in_file <= 0 || in_file <= murk_scratch_file_left(space->file);
 }
 
 void murk_row_space_drop(murk_row_space *space, murk_row *row)

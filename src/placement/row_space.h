@@ -39,7 +39,7 @@ bool murk_row_space_keep(murk_row_space *space, murk_row *row);
 murk_status murk_row_space_check(const murk_row_space *space, murk_error *err);
 
 /* True if all rows can be stored once more before they are freed. */
-bool murk_row_space_has_room(const murk_row_space *space);
+bool murk_row_space_holds_twice(const murk_row_space *space);
 
 /* Frees a row. May be called from any thread. */
 void murk_row_space_drop(murk_row_space *space, murk_row *row);

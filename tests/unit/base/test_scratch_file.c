@@ -132,7 +132,7 @@ static void test_few_addresses(void)
         return; /* under a smaller limit already, as with sanitizers */
     }
     CHECK(murk_scratch_file_create(&file, UINT64_C(1) << 40, &err) == MURK_OK);
-    CHECK(file && murk_scratch_file_room(file) <= 0x1p36);
+    CHECK(file && murk_scratch_file_left(file) <= 0x1p36);
     murk_scratch_file_destroy(file);
     CHECK(setrlimit(RLIMIT_AS, &before) == 0);
 }
@@ -162,10 +162,10 @@ static void test_full_disk(void)
     CHECK(murk_scratch_file_create(&file, 1 << 24, &err) == MURK_OK);
     signal(SIGXFSZ, SIG_IGN);
     CHECK(setrlimit(RLIMIT_FSIZE, &limit) == 0);
-    CHECK(murk_scratch_file_room(file) == 1 << 20);
+    CHECK(murk_scratch_file_left(file) == 1 << 20);
     CHECK(murk_scratch_file_append(file, block, sizeof block));
     CHECK(murk_scratch_file_append(file, block, sizeof block));
-    CHECK(murk_scratch_file_room(file) == 0);
+    CHECK(murk_scratch_file_left(file) == 0);
     CHECK(murk_scratch_file_check(file, &err) == MURK_OK);
     CHECK(!murk_scratch_file_append(file, block, sizeof block));
     CHECK(murk_scratch_file_check(file, &err) == MURK_RUN_FAILED);

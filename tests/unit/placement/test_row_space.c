@@ -103,7 +103,7 @@ static void test_rows(murk_row_kind kind, double share, uint32_t levels)
 
 /* A matrix that the disk can hold once but not twice stays unmerged. Last: the
  * limit on the size of files stays. */
-static void test_no_room_to_merge(void)
+static void test_too_little_disk_to_merge(void)
 {
     made_up *m = made_up_create(7, PHOTONS, CANDIDATES, .3, 1, 1, 2);
     murk_matrix *memory = NULL, *matrix = NULL;
@@ -133,6 +133,6 @@ int main(void)
     test_rows(MURK_ROW_DENSE, .9, 50);
     test_rows(MURK_ROW_LIST, .02, 50);
     test_rows(MURK_ROW_CLEAR_LIST, .02, 1);
-    test_no_room_to_merge();
+    test_too_little_disk_to_merge();
     return check_done();
 }
