@@ -96,7 +96,7 @@ static murk_status check_size(const fill_task *f, double bytes, murk_error *err)
     /* The sample is in the file already. */
     const double left = murk_scratch_file_left(space->file) +
                         (double)murk_tally_read(&space->in_file);
-    return bytes - memory <= room
+    return bytes - memory <= left
                ? MURK_OK
                : murk_fail(err, MURK_RUN_FAILED, murk_scratch_folder(),
                            "the coverage matrix of %zu candidates and %zu "
