@@ -116,11 +116,11 @@ static void trace_missing(const murk_emission *e, murk_trace *trace)
     }
 }
 
-/* Removes the batches of parts behind the last photon. */
+/* Removes the batches of parts behind the last wave. */
 static murk_status take_back_parts(const murk_emission *e, murk_error *err)
 {
     const uint64_t from =
-        (e->emitted + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+        (e->reached + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
     for (uint64_t b = from; e->parts && b < murk_light_parts_end(e->parts);
          ++b) {
         if (murk_light_parts_batch(e->parts, b, NULL, NULL)) {
@@ -157,6 +157,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     }
     /* Find the photon that reaches `store`, and remove those after it. */
     uint64_t last = UINT64_MAX;
+    e->reached = end;
     if (wanted(e) && !murk_interrupted()) {
         last = murk_record_buffers_photon_of(e->buffers, wanted(e) - stored(e));
     }

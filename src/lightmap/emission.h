@@ -46,6 +46,8 @@ typedef struct murk_emission {
                                       sink and gather. NULL: none */
 
     uint64_t emitted; /* photons so far */
+    uint64_t reached; /* end of the waves so far: photons from `emitted` on were
+                         traced and removed again */
 } murk_emission;
 
 /* The upper limit of the number of photons. */

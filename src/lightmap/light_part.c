@@ -54,6 +54,7 @@ static murk_status check_owner(const part *p, const murk_stage *stage,
         murk_map_file_find(p->sections, p->n_sections, "scene");
     const murk_section *key =
         murk_map_file_find(p->sections, p->n_sections, "key");
+    /* The version, then the scene, the files that it names, and the origin. */
     if (!scene || !key) {
         return bad_part(p->path, "the scene is missing", err);
     }

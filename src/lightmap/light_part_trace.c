@@ -104,6 +104,7 @@ static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
     for (size_t b = 0; b < n; ++b) {
         batch[b] = t->shard.number - 1 + (t->batches + b) * t->shard.count;
     }
+    /* Trace the batches, and sort their records by photon. */
     murk_trace trace = murk_stage_trace(t->stage);
     trace.last = photons_max(t);
     trace.batch = batch;
@@ -116,6 +117,7 @@ static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
+    /* Keep the records. */
     if (!append_wave(t, n)) {
         return murk_no_memory(err, settings->where,
                               "for more than %.3g stored photons",

@@ -126,6 +126,7 @@ static murk_status load_ledger(murk_traced *traced, const facts *f,
     if (!cell) {
         return murk_no_memory(err, path, "for the ledger");
     }
+    /* The sums in the order of murk_ledger_read(). */
     memcpy(cell, energy->bytes, energy->size);
     int64_t *at = cell + murk_ledger_accounts(ledger);
     memcpy(at, absorbed->bytes, absorbed->size);

@@ -4,7 +4,8 @@
 #ifndef MURK_LIGHTMAP_STORE_CHECK_H
 #define MURK_LIGHTMAP_STORE_CHECK_H
 
-#include "lightmap/lightmap.h"
+#include "photonmap/photon.h"
+#include "world/stage.h"
 
 #include <stdint.h>
 

@@ -39,6 +39,8 @@ static const char text[] =
 static const char *const by_emit[] = {"photons={emit: 20000}", NULL};
 static const char *const by_few[] = {"photons={emit: 1500}", NULL};
 static const char *const by_store[] = {"photons={store: 30000}", NULL};
+/* Photons behind the last one fill more than one batch. */
+static const char *const by_many[] = {"photons={store: 150000}", NULL};
 static const char *const no_maps[] = {"photons={emit: 9000, maps: none}", NULL};
 static const char *const other_seed[] = {"photons={emit: 20000}", "seed=4",
                                          NULL};
@@ -121,9 +123,9 @@ static void check_same(const murk_traced *whole, const murk_traced *merged)
 }
 
 /* All parts in falling order, the first one twice; and without part 2. */
-static void test_parts_are_the_whole(const char *const *overrides)
+static void test_parts_are_the_whole(const char *const *overrides,
+                                     const uint32_t *counts, size_t n)
 {
-    static const uint32_t counts[] = {1, 2, 3, 7};
     murk_stage *stage = stage_text_create(text, overrides);
     murk_traced *whole = NULL;
     murk_error err = {0};
@@ -131,10 +133,11 @@ static void test_parts_are_the_whole(const char *const *overrides)
         CHECK(false);
         return;
     }
-    for (size_t c = 0; c < sizeof counts / sizeof *counts; ++c) {
+    for (size_t c = 0; c < n; ++c) {
         const uint32_t count = counts[c];
         const char *path[PARTS_MAX + 1];
         murk_traced *merged = NULL;
+        /* All parts. */
         write_parts(stage, count);
         for (uint32_t k = 0; k < count; ++k) {
             path[k] = path_of(count - k, count);
@@ -144,6 +147,7 @@ static void test_parts_are_the_whole(const char *const *overrides)
         CHECK_TEXT(err.text, "");
         check_same(whole, merged);
         murk_traced_destroy(merged);
+        /* Without part 2. */
         if (count > 2) {
             path[count - 2] = path_of(1, count);
             merged = NULL;
@@ -199,12 +203,14 @@ static void test_other_parts_are_refused(void)
 
 int main(void)
 {
+    static const uint32_t counts[] = {1, 2, 3, 7};
     CHECK(mkdtemp(folder) != NULL);
     murk_warn_to(NULL); /* of missing parts */
-    test_parts_are_the_whole(by_emit);
-    test_parts_are_the_whole(by_few);
-    test_parts_are_the_whole(by_store);
-    test_parts_are_the_whole(no_maps);
+    test_parts_are_the_whole(by_emit, counts, 4);
+    test_parts_are_the_whole(by_few, counts, 4);
+    test_parts_are_the_whole(by_store, counts, 4);
+    test_parts_are_the_whole(by_many, counts + 3, 1);
+    test_parts_are_the_whole(no_maps, counts, 4);
     test_other_parts_are_refused();
     return check_done();
 }
