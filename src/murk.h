@@ -696,6 +696,25 @@ typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error);
 
+/* Traces a part of the light of a world, for machines without a common memory,
+ * and writes the part to a file: of `count` parts, numbered from 1 to 100000 at
+ * most, part `number` has every count-th batch of photons. The parts of a world
+ * together are its light in every bit (murk_light_merge()). Fails as
+ * murk_light_trace() but for lost photons, and with MURK_BAD_VALUE if there is
+ * no such part. */
+murk_status murk_light_trace_part(murk_world *world, uint32_t number,
+                                  uint32_t count, const char *path,
+                                  murk_error *error);
+
+/* The light of a world from n files of parts, in any order; a part may be there
+ * several times. Photons of missing parts are traced, with a warning. Fails as
+ * murk_light_trace(), with MURK_BAD_FILE for a file that is no part of a light
+ * or is damaged, and with MURK_BAD_VALUE for a part of another scene, number of
+ * parts or version of murk, and for parts of one number that differ. */
+murk_status murk_light_merge(murk_light **out, murk_world *world,
+                             const char *const *path, size_t n,
+                             murk_error *error);
+
 /* A batch of photons whose records are handed over while light is traced. The
  * handle and all views of it are valid until the function that receives it
  * returns. */

@@ -64,6 +64,29 @@ class World:
         """
         return Light(self, each_batch=each_batch)
 
+    def trace_part(self, number: int, count: int, path: Path) -> None:
+        """Traces part `number`, from 1, of `count` parts of the light, and writes the part to a file.
+
+        For machines without a common memory: `merge_light()` puts the parts together. Raises Error, and Interrupted if
+        it is cancelled. Source: `murk trace --shard`.
+
+        Example: `world.trace_part(2, 8, "part-2.murk")`.
+        """
+        for name, value in (("number", number), ("count", count)):
+            if not 0 <= value < 2**32:
+                raise Error(f"{value}, must be 1 to 100000", where=f"argument {name}")
+        call_long(self.context, lib.murk_light_trace_part, self.c, number, count, c_text(path))
+
+    def merge_light(self, paths: Sequence[Path]) -> Light:
+        """The light from files of `trace_part()`, in any order: Light, equal in every bit to that of `trace()`.
+
+        Photons of missing parts are traced, with a warning. Raises Error for parts of another world and for damaged
+        files. Source: `murk merge`.
+
+        Example: `light = world.merge_light(glob.glob("part-*.murk"))`.
+        """
+        return Light(self, parts=paths)
+
     def check(self, picture: Path | None = None, pixels: Sequence[int] | None = None,
               cut_m: Sequence[float] | None = None, replace: bool = False) -> Result:
         """What is in the world and what a run will take, before any light is traced: `surfaces`, `media`, `lights`,
@@ -252,13 +275,17 @@ class Light:
     c: Any = None
 
     def __init__(self, world: World, path: Path | None = None,
-                 each_batch: Callable[[Batch], object] | None = None) -> None:
+                 each_batch: Callable[[Batch], object] | None = None,
+                 parts: Sequence[Path] | None = None) -> None:
         self.world = world
         self.context = world.context
         out = ffi.new("murk_light **")
         if each_batch is not None:
             receiver = ffi.new_handle(_Receiver(self.context, each_batch))  # lives as long as the call
             call_long(self.context, lib.murk_light_stream, out, world.c, _receive, receiver)
+        elif parts is not None:
+            texts = [c_text(part) for part in parts]  # live as long as the call
+            call_long(self.context, lib.murk_light_merge, out, world.c, ffi.new("const char *[]", texts), len(texts))
         elif path is None:
             call_long(self.context, lib.murk_light_trace, out, world.c)
         else:

@@ -2,6 +2,7 @@
  * a file, which has no tallies. */
 
 #include "api/save.h"
+#include "lightmap/light_part_trace.h"
 #include "results/exports.h"
 #include "results/ledger.h"
 #include "results/tallies.h"
@@ -56,11 +57,33 @@ static murk_status receive(void *context, const murk_record_batch *records,
                      : MURK_OK;
 }
 
-/* If `path` is NULL, traces the light, and hands each batch to `batches` unless
- * `batches` is NULL. If `path` is not NULL, reads the light from that file. */
+/* The files of parts. */
+typedef struct part_files {
+    const char *const *path; /* [n] */
+    size_t n;
+} part_files;
+
+static murk_status merge_parts(murk_light *light, const part_files *files,
+                               murk_error *err)
+{
+    const murk_world *world = light->world;
+    murk_light_parts *parts = NULL;
+    murk_status status =
+        murk_light_parts_read(&parts, files->path, files->n, world->stage, err);
+    if (!status) {
+        status = murk_lightmap_merge(&light->session.traced, world->stage,
+                                     parts, world->context->threads, err);
+    }
+    murk_light_parts_destroy(parts);
+    return status;
+}
+
+/* If `path` is not NULL, reads the light from that file; if `parts` is not
+ * NULL, merges them. Otherwise traces the light, and hands each batch to
+ * `batches` unless `batches` is NULL. */
 static murk_status light_make(murk_light **out, murk_world *world,
-                              const char *path, receiver *batches,
-                              murk_error *error)
+                              const char *path, const part_files *parts,
+                              receiver *batches, murk_error *error)
 {
     murk_call call = murk_call_begin(world->context, &world->files, error);
     const murk_status built = murk_world_build(world, &call.failure);
@@ -71,6 +94,7 @@ static murk_status light_make(murk_light **out, murk_world *world,
         built    ? built
         : !light ? MURK_NO_MEMORY
         : path   ? read_light(light, path, &call.failure)
+        : parts  ? merge_parts(light, parts, &call.failure)
         : batches
             ? murk_lightmap_stream(&light->session.traced, world->stage,
                                    threads, receive, batches, &call.failure)
@@ -93,7 +117,7 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
     if (out) {
         *out = NULL;
     }
-    return out && world ? light_make(out, world, NULL, NULL, error)
+    return out && world ? light_make(out, world, NULL, NULL, NULL, error)
                         : murk_call_refuse(error, "out or world is NULL");
 }
 
@@ -108,7 +132,46 @@ murk_status murk_light_stream(murk_light **out, murk_world *world,
         return murk_call_refuse(error, "out, world or each is NULL");
     }
     receiver batches = {each, user, world->desc};
-    return light_make(out, world, NULL, &batches, error);
+    return light_make(out, world, NULL, NULL, &batches, error);
+}
+
+murk_status murk_light_merge(murk_light **out, murk_world *world,
+                             const char *const *path, size_t n,
+                             murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    bool has_paths = path && n > 0;
+    for (size_t i = 0; has_paths && i < n; ++i) {
+        has_paths = path[i] != NULL;
+    }
+    const part_files parts = {path, n};
+    return out && world && has_paths
+               ? light_make(out, world, NULL, &parts, NULL, error)
+               : murk_call_refuse(error, "out, world or a path is NULL");
+}
+
+murk_status murk_light_trace_part(murk_world *world, uint32_t number,
+                                  uint32_t count, const char *path,
+                                  murk_error *error)
+{
+    if (!world || !path) {
+        return murk_call_refuse(error, "world or path is NULL");
+    }
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_status status =
+        number >= 1 && number <= count && count <= MURK_SHARDS_MAX
+            ? murk_world_build(world, &call.failure)
+            : murk_fail(&call.failure, MURK_BAD_VALUE, "shard",
+                        "%u of %u, must be 1 of 1 to %d of %d", number, count,
+                        MURK_SHARDS_MAX, MURK_SHARDS_MAX);
+    if (!status) {
+        status =
+            murk_light_part_trace(world->stage, (murk_shard){number, count},
+                                  world->context->threads, path, &call.failure);
+    }
+    return murk_call_end_long(&call, status);
 }
 
 double murk_light_packet_w(const murk_light *light, int source, int band)
@@ -128,7 +191,7 @@ murk_status murk_light_read(murk_light **out, murk_world *world,
         *out = NULL;
     }
     return out && world && path
-               ? light_make(out, world, path, NULL, error)
+               ? light_make(out, world, path, NULL, NULL, error)
                : murk_call_refuse(error, "out, world or path is NULL");
 }
 

@@ -293,10 +293,10 @@ static murk_status check_picture(const murk_options *out, murk_error *err)
 
 /* The noun for the input of a command, in messages. */
 static const char *const NOUN[] = {
-    [MURK_INPUT_SCENE] = "scene",       [MURK_INPUT_STUDY] = "study",
-    [MURK_INPUT_FOLDER] = "folder",     [MURK_INPUT_PRESET] = "preset",
-    [MURK_INPUT_START_SCENE] = "scene", [MURK_INPUT_KEY] = "key",
-    [MURK_INPUT_NONE] = "file",
+    [MURK_INPUT_SCENE] = "scene",   [MURK_INPUT_STUDY] = "study",
+    [MURK_INPUT_FOLDER] = "folder", [MURK_INPUT_PARTS] = "folder",
+    [MURK_INPUT_PRESET] = "preset", [MURK_INPUT_START_SCENE] = "scene",
+    [MURK_INPUT_KEY] = "key",       [MURK_INPUT_NONE] = "file",
 };
 
 static murk_status check_input(const murk_options *out, murk_error *err)
@@ -341,6 +341,19 @@ static bool is_key(const murk_command *command)
     return !status;
 }
 
+static murk_status add_word(murk_words_given *words, const char *word,
+                            murk_error *err)
+{
+    const char **grown = realloc(words->word, (words->n + 2) * sizeof *grown);
+    if (!grown) {
+        return murk_no_memory(err, "", "for the options");
+    }
+    words->word = grown;
+    words->word[words->n++] = word;
+    words->word[words->n] = NULL;
+    return MURK_OK;
+}
+
 /* Takes a word that is no option: the command or the input. */
 static murk_status take_word(murk_options *out, const char *word,
                              murk_error *err)
@@ -351,6 +364,10 @@ static murk_status take_word(murk_options *out, const char *word,
     if (!out->command) {
         out->command = command;
         return command ? MURK_OK : unknown_command(word, err);
+    }
+    if (out->command->input == MURK_INPUT_PARTS) {
+        out->input = out->input ? out->input : word;
+        return add_word(&out->inputs, word, err);
     }
     if (is_help && !out->input && command && !is_key(command)) {
         out->command = command; /* murk help place */
@@ -365,12 +382,11 @@ static murk_status take_word(murk_options *out, const char *word,
     return MURK_OK;
 }
 
-static murk_status take_all(murk_options *out, FILE *typed, int argc,
-                            char **argv, murk_error *err)
+static murk_status take_all(murk_options *out, int argc, char **argv,
+                            murk_error *err)
 {
     murk_status status = MURK_OK;
     bool may_be_option = true;
-    fputs("murk", typed);
     for (int i = 1; i < argc && !status; ++i) {
         const int first = i;
         bool is_left_out = false;
@@ -382,16 +398,27 @@ static murk_status take_all(murk_options *out, FILE *typed, int argc,
             status = take_word(out, argv[i], err);
         }
         for (int k = first; k <= i && !is_left_out && !status; ++k) {
-            char *word = murk_utf8_shell_word(argv[k]);
-            if (!word) {
-                status = murk_no_memory(err, "", "for the options");
-            } else {
-                fprintf(typed, " %s", word);
-            }
-            free(word);
+            status = add_word(&out->repeated, argv[k], err);
         }
     }
     return status;
+}
+
+/* Joins the words that are kept to a line for a shell. */
+static murk_status join_words(murk_options *out, murk_error *err)
+{
+    size_t size = 0;
+    FILE *typed = open_memstream(&out->typed, &size);
+    bool is_whole = typed && fputs("murk", typed) >= 0;
+    for (size_t i = 0; is_whole && i < out->repeated.n; ++i) {
+        char *word = murk_utf8_shell_word(out->repeated.word[i]);
+        is_whole = word && fprintf(typed, " %s", word) > 0;
+        free(word);
+    }
+    if (typed && fclose(typed) != 0) {
+        is_whole = false;
+    }
+    return is_whole ? MURK_OK : murk_no_memory(err, "", "for the options");
 }
 
 murk_status murk_options_parse(murk_options *out, int argc, char **argv,
@@ -400,15 +427,9 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     *out = (murk_options){.threads = murk_pool_processors(),
                           .progress = MURK_PROGRESS_AUTO};
     /* Take the words, and record them as results keep them. */
-    size_t size = 0;
-    FILE *typed = open_memstream(&out->typed, &size);
-    murk_status status =
-        typed ? take_all(out, typed, argc, argv, err) : MURK_NO_MEMORY;
-    if (typed && fclose(typed) != 0) {
-        status = MURK_NO_MEMORY;
-    }
-    if (status == MURK_NO_MEMORY) {
-        return murk_fail(err, status, "", "no memory for the options");
+    murk_status status = take_all(out, argc, argv, err);
+    if (!status) {
+        status = join_words(out, err);
     }
     /* Check them against the command and each other. */
     if (!status) {
@@ -429,6 +450,10 @@ murk_status murk_options_parse(murk_options *out, int argc, char **argv,
     if (!status) {
         status = check_input(out, err);
     }
+    if (!status && out->shard.count && !out->out) {
+        status = murk_fail(err, MURK_BAD_VALUE, "--shard",
+                           "needs a folder to write the part into: -o DIR");
+    }
     return status ? status : check_picture(out, err);
 }
 
@@ -438,6 +463,8 @@ void murk_options_release(murk_options *options)
         free(options->owned[i]);
     }
     free(options->owned);
+    free(options->inputs.word);
+    free(options->repeated.word);
     free(options->fit.free.word);
     free(options->fit.bounds.word);
     free(options->overrides);

@@ -1,7 +1,62 @@
 /* murk trace: traces the light of a scene and writes the maps, the ledger and
  * the tallies. */
 #include "app/given.h"
+#include "app/part.h"
 #include "app/show.h"
+#include "base/print.h"
+
+#include <stdlib.h>
+
+/* Traces a part of the light, and writes the part. */
+static murk_status trace_part(murk_world *world, const murk_options *options,
+                              murk_error *err)
+{
+    char *path = NULL;
+    murk_status status = murk_part_begin(options, err);
+    if (!status) {
+        status = murk_part_path(&path, options->out, MURK_PART_LIGHT, err);
+    }
+    if (!status) {
+        status = murk_light_trace_part(world, options->shard.number,
+                                       options->shard.count, path, err);
+    }
+    if (!status) {
+        status = murk_part_end(options, err);
+    }
+    if (!status && murk_shows_summary(options)) {
+        murk_print("part        %u of %u, in %s: murk merge puts the parts "
+                   "together\n",
+                   options->shard.number, options->shard.count, options->out);
+    }
+    free(path);
+    return status;
+}
+
+/* The light, from parts or traced. */
+static murk_status make_light(murk_light **out, murk_world *world,
+                              const murk_options *options, murk_error *err)
+{
+    if (!options->merges) {
+        return murk_light_trace(out, world, err);
+    }
+    const murk_words_given *folders = &options->merges->inputs;
+    char **path = calloc(folders->n, sizeof *path);
+    murk_status status =
+        path ? MURK_OK : murk_no_memory(err, "", "for the parts");
+    for (size_t i = 0; i < folders->n && !status; ++i) {
+        status =
+            murk_part_path(&path[i], folders->word[i], MURK_PART_LIGHT, err);
+    }
+    if (!status) {
+        status = murk_light_merge(out, world, (const char *const *)path,
+                                  folders->n, err);
+    }
+    for (size_t i = 0; path && i < folders->n; ++i) {
+        free(path[i]);
+    }
+    free(path);
+    return status;
+}
 
 murk_status murk_command_trace(const murk_options *options, murk_error *err)
 {
@@ -16,6 +71,12 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     if (!status) {
         status = murk_world_create(&world, scene, err);
     }
+    if (!status && options->shard.count) {
+        status = trace_part(world, options, err);
+        murk_world_destroy(world);
+        murk_scene_destroy(scene);
+        return status;
+    }
     if (!status) {
         status = murk_given_save_begin(&save, options, err);
     }
@@ -25,7 +86,7 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     }
     /* The light and its files. */
     if (!status) {
-        status = murk_light_trace(&light, world, err);
+        status = make_light(&light, world, options, err);
     }
     if (!status) { /* if an export alone fails, the light is saved */
         status =

@@ -167,6 +167,23 @@ const murk_command murk_commands[] = {
      murk_command_report, .input = MURK_INPUT_FOLDER, .formats = "murk-results",
      .example = {{"murk report out", "The page of what lies in out."}},
      .file = {{"report.html", "the page"}}},
+    {"merge", "DIR... [-o DIR]", "put the parts of a run together",
+     "Puts parts together that murk trace --shard K/N wrote on any machines, "
+     "and writes the files of a single run, in every bit but for the times in "
+     "`run`. Folders may come in any order and more than once. What is in no "
+     "part is computed now, with a warning that names the missing parts. Parts "
+     "of another scene, of other options or of another version of murk are "
+     "refused with the difference. Run it where the parts were made: the paths "
+     "of the command line are those of the parts.",
+     murk_command_merge, .input = MURK_INPUT_PARTS,
+     .formats = "murk-results murk-light",
+     .example = {{"murk trace scenes/smoke-hall.yaml --shard 2/8 -o part-2",
+                  "The second of eight parts, on any machine."},
+                 {"murk merge part-* -o out",
+                  "The light that a single run would have traced."}},
+     .file = {{"part.txt", "of a part: the command, and which part it is"},
+              {"light.part", "of a part of murk trace: the photons"},
+              LIGHT_FILES}},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
      "Traces the one photon again, event by event: a photon is a pure function "
      "of seed, scene and index.",

@@ -142,6 +142,7 @@ static void put_inputs_of(FILE *to, const murk_command *command,
     case MURK_INPUT_SCENE:
     case MURK_INPUT_STUDY:
     case MURK_INPUT_FOLDER:
+    case MURK_INPUT_PARTS:
         fputs("@files", to);
         break;
     case MURK_INPUT_PRESET:

@@ -21,13 +21,14 @@ static const char *const SHELLS[] = {"bash", "zsh", NULL};
 static const char *const PROGRESSES[] = {"never", "auto", "always", NULL};
 
 const murk_option murk_option_table[] = {
-    {"--out", "-o", "DIR", "trace place sense render study fit report media",
+    {"--out", "-o", "DIR",
+     "trace place sense render study fit report media merge",
      "write the results into this folder; without it the summary is printed "
      "and nothing is written (media: the file of a --profile's grid; render: "
      "the image, else SCENE.exr; report: the page, else DIR/report.html)",
      OWN(murk_option_out), .is_left_out = true},
     {"--force", NULL, NULL,
-     "check trace place sense render study fit report media",
+     "check trace place sense render study fit report media merge",
      "replace files that murk did not write, or that were edited since; what a "
      "run reads is never replaced",
      .kind = MURK_OPTION_SWITCH, MEMBER(force), .is_left_out = true},
@@ -76,6 +77,10 @@ const murk_option murk_option_table[] = {
      "and how far the plan (that of the first seed) may be from the best; "
      "repeat.csv has a row a seed",
      COUNT(1, 10000), .setting = "runs", .part = MURK_OPTION_AS_TEXT},
+    {"--shard", NULL, "K/N", "trace",
+     "do part K of N of the work, on this machine, and write the part into DIR "
+     "(-o); murk merge puts the parts together to the results of a single run",
+     OWN(murk_option_shard), .setting = "shard", .is_left_out = true},
     {"--photon", NULL, "N", "replay", "index of the emitted photon, from 0",
      COUNT(0, UINT32_MAX - UINT64_C(1)), .setting = "photon",
      .part = MURK_OPTION_AS_TEXT},

@@ -5,7 +5,9 @@
 #include "app/field.h"
 #include "base/export_kind.h"
 #include "base/log.h"
+#include "base/number.h"
 #include "base/picture_limits.h"
+#include "base/shard.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -174,6 +176,25 @@ murk_status murk_option_set(murk_options *out, const char *name,
                ? murk_option_override(out, "", value, NULL, err)
                : murk_fail(err, MURK_BAD_VALUE, name, "%s, must be KEY=VALUE",
                            value);
+}
+
+murk_status murk_option_shard(murk_options *out, const char *name,
+                              const char *value, murk_error *err)
+{
+    uint64_t number = 0, count = 0;
+    char text[32];
+    const size_t length = strcspn(value, "/");
+    const bool has_both = value[length] == '/' && length < sizeof text;
+    snprintf(text, sizeof text, "%.*s", (int)(has_both ? length : 0), value);
+    if (!has_both || !murk_count_parse(text, &number) ||
+        !murk_count_parse(value + length + 1, &count) || number < 1 ||
+        number > count || count > MURK_SHARDS_MAX) {
+        return murk_fail(err, MURK_BAD_VALUE, name,
+                         "%s, must be K/N: part K of N, 1/1 to %d/%d", value,
+                         MURK_SHARDS_MAX, MURK_SHARDS_MAX);
+    }
+    out->shard = (murk_given_shard){(uint32_t)number, (uint32_t)count};
+    return MURK_OK;
 }
 
 /* ---- pictures ---- */

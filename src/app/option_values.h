@@ -16,6 +16,6 @@ murk_status murk_option_override(murk_options *out, const char *key,
 /* Readers of options that have a form of their own. */
 murk_option_read murk_option_out, murk_option_set, murk_option_exports,
     murk_option_free, murk_option_bounds, murk_option_pixels,
-    murk_option_exposure, murk_option_range, murk_option_cut;
+    murk_option_exposure, murk_option_range, murk_option_cut, murk_option_shard;
 
 #endif

@@ -90,6 +90,7 @@ typedef enum murk_command_input {
     MURK_INPUT_SCENE,  /* a file */
     MURK_INPUT_STUDY,  /* a file */
     MURK_INPUT_FOLDER, /* of results */
+    MURK_INPUT_PARTS,  /* folders of parts of a run, as many as are given */
     MURK_INPUT_PRESET,
     MURK_INPUT_START_SCENE, /* of scenes/start */
     MURK_INPUT_KEY,         /* of a scene */
@@ -118,7 +119,7 @@ murk_command_run murk_command_check, murk_command_trace, murk_command_place,
     murk_command_sense, murk_command_render, murk_command_study,
     murk_command_fit, murk_command_report, murk_command_replay,
     murk_command_media, murk_command_help, murk_command_schema,
-    murk_command_init;
+    murk_command_init, murk_command_merge;
 
 /* ---- a command line as given ---- */
 
@@ -126,6 +127,10 @@ typedef struct murk_words_given {
     const char **word; /* [n], with NULL behind the last */
     size_t n;
 } murk_words_given;
+
+typedef struct murk_given_shard { /* --shard */
+    uint32_t number, count;       /* count 0: not given */
+} murk_given_shard;
 
 typedef struct murk_given_fit {
     const char *data;        /* --data */
@@ -179,6 +184,11 @@ struct murk_options {
     const char *profile; /* --profile */
     const char *voxel;   /* --voxel, of a profile's grid and of --export */
     unsigned exports;    /* --export: murk_export bits */
+    murk_given_shard shard;
+    murk_words_given inputs; /* of murk merge: all words behind the command */
+    const struct murk_options *merges; /* the options of murk merge, if this
+                                          command puts parts together; else
+                                          NULL */
     murk_given_fit fit;
     murk_render_options render;
     murk_section_options section;
@@ -190,9 +200,10 @@ struct murk_options {
     size_t n_overrides;
     murk_given *given; /* [n_given] as they came */
     size_t n_given;
-    char *typed;  /* the command line that gives the same results again, quoted
-                     for a POSIX shell: without options that change no result
-                     (is_left_out) */
+    murk_words_given repeated; /* the words of the command line that gives the
+                              same results again: without "murk", and without
+                              options that change no result (is_left_out) */
+    char *typed;  /* the same words behind "murk", quoted for a POSIX shell */
     char **owned; /* [n_owned] texts that other members point to */
     size_t n_owned;
 };

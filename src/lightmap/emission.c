@@ -47,8 +47,7 @@ static murk_trace trace_of(const murk_emission *e, uint64_t first,
     return trace;
 }
 
-/* Upper limit of the number of photons. */
-static uint64_t emissions_max(const murk_emission *e)
+uint64_t murk_emission_max(const murk_emission *e)
 {
     return e->emit ? e->emit
            : wanted(e) < UINT32_MAX / STORE_EMISSIONS
@@ -64,7 +63,7 @@ static uint64_t emissions_max(const murk_emission *e)
 static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
-    const uint64_t left = emissions_max(e) - done;
+    const uint64_t left = murk_emission_max(e) - done;
     double batches = MURK_WAVE_BATCHES;
     if (done == 0 && (wanted(e) || e->is_first_small)) {
         batches = 1;
@@ -86,6 +85,53 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
     murk_trace_run(&trace, e->ledger);
 }
 
+/* Takes the batches of a wave from parts, and traces the others. Buffer b of
+ * the wave has the records of batch first + b. */
+static void trace_missing(const murk_emission *e, murk_trace *trace)
+{
+    const uint64_t first = trace->first / MURK_BATCH_PHOTONS;
+    const uint64_t end =
+        (trace->last + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    uint64_t missing[MURK_WAVE_BATCHES];
+    size_t n = 0;
+    for (uint64_t b = first; b < end; ++b) {
+        if (!murk_light_parts_batch(e->parts, b, NULL, NULL)) {
+            missing[n++] = b;
+        }
+    }
+    trace->batch = missing;
+    trace->batches = n;
+    murk_trace_run(trace, e->ledger);
+    /* Missing batch k lies in buffer k, which is at or before its own place. */
+    for (size_t k = n; k-- > 0;) {
+        murk_record_buffers_swap(e->buffers, k, (size_t)(missing[k] - first));
+    }
+    for (uint64_t b = first; b < end; ++b) {
+        const murk_photon *records;
+        size_t count;
+        if (murk_light_parts_batch(e->parts, b, &records, &count)) {
+            murk_record_buffers_fill(e->buffers, (size_t)(b - first), records,
+                                     count);
+        }
+    }
+}
+
+/* Removes the batches of parts behind the last wave. */
+static murk_status take_back_parts(const murk_emission *e, murk_error *err)
+{
+    const uint64_t from =
+        (e->reached + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    for (uint64_t b = from; e->parts && b < murk_light_parts_end(e->parts);
+         ++b) {
+        if (murk_light_parts_batch(e->parts, b, NULL, NULL)) {
+            const uint64_t end = (b + 1) * MURK_BATCH_PHOTONS;
+            const uint64_t max = murk_emission_max(e);
+            take_back(e, b * MURK_BATCH_PHOTONS, end < max ? end : max);
+        }
+    }
+    return murk_interrupt_check(err);
+}
+
 /* Traces one wave. Sets *is_done to whether all photons are emitted or `store`
  * is reached. */
 static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
@@ -98,20 +144,20 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
         trace.sink = e->sink;
         trace.segment_sink = e->segment_sink;
         trace.context = e->context;
-    } else if (e->buffers->keeps_surface || e->buffers->keeps_volume) {
-        trace.sink = murk_record_buffers_event;
-        trace.takes_any_order = true;
-        trace.skips_surfaces = !e->buffers->keeps_surface;
-        trace.skips_media = !e->buffers->keeps_volume;
-        trace.skips_ends = !settings_of(e)->store_hits;
-        trace.context = e->buffers;
+    } else {
+        murk_record_buffers_receive(e->buffers, &trace);
     }
-    murk_trace_run(&trace, e->ledger);
+    if (e->parts) {
+        trace_missing(e, &trace);
+    } else {
+        murk_trace_run(&trace, e->ledger);
+    }
     if (trace.takes_any_order) {
         murk_record_buffers_sort(e->buffers, trace.threads);
     }
     /* Find the photon that reaches `store`, and remove those after it. */
     uint64_t last = UINT64_MAX;
+    e->reached = end;
     if (wanted(e) && !murk_interrupted()) {
         last = murk_record_buffers_photon_of(e->buffers, wanted(e) - stored(e));
     }
@@ -146,7 +192,7 @@ murk_status murk_emission_run(murk_emission *e, murk_error *err)
     bool is_done = murk_sources_lit(e->stage->lights) == 0;
     murk_status status = MURK_OK;
     while (!is_done && !status) {
-        if (e->emitted >= emissions_max(e)) {
+        if (e->emitted >= murk_emission_max(e)) {
             return murk_fail(err, MURK_RUN_FAILED, settings_of(e)->where,
                              "store: of %.6g photons emitted only %.6g of "
                              "%.6g are stored; more are not tried",
@@ -155,7 +201,7 @@ murk_status murk_emission_run(murk_emission *e, murk_error *err)
         }
         status = send_wave(e, &is_done, err);
     }
-    return status;
+    return status ? status : take_back_parts(e, err);
 }
 
 murk_status murk_emission_check_losses(const murk_emission *e, murk_error *err)

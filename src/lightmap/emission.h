@@ -6,7 +6,7 @@
 #ifndef MURK_LIGHTMAP_EMISSION_H
 #define MURK_LIGHTMAP_EMISSION_H
 
-#include "lightmap/record_buffers.h"
+#include "lightmap/light_part.h"
 #include "world/stage.h"
 
 /* A run that loses a larger share of the photons fails, because the result
@@ -40,8 +40,18 @@ typedef struct murk_emission {
     murk_status (*gather)(void *gather_context, uint64_t last, murk_error *err);
     void *gather_context;
 
+    const murk_light_parts *parts; /* batches that need not be traced; the sums
+                                      of the parts are in ledger and tallies
+                                      already; only with buffers, and without
+                                      sink and gather. NULL: none */
+
     uint64_t emitted; /* photons so far */
+    uint64_t reached; /* end of the waves so far: photons from `emitted` on were
+                         traced and removed again */
 } murk_emission;
+
+/* The upper limit of the number of photons. */
+uint64_t murk_emission_max(const murk_emission *emission);
 
 /* Fails with MURK_BAD_VALUE if `emit` is given and smaller than the number of
  * channels (light source and band) with power. */

@@ -9,6 +9,7 @@
 #include "base/machine.h"
 #include "base/progress.h"
 #include "lightmap/emission.h"
+#include "lightmap/store_check.h"
 #include "world/scene_tallies.h"
 
 #include <stdlib.h>
@@ -254,14 +255,15 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
 
 static murk_status trace_light(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads, streaming *s,
-                               murk_error *err)
+                               const murk_light_parts *parts, murk_error *err)
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
     murk_emission e = {.stage = stage,
                        .stream = stream,
                        .threads = threads,
-                       .emit = settings->emit};
+                       .emit = settings->emit,
+                       .parts = parts};
     murk_traced *traced = NULL;
     /* Check before tracing: number of photons, end of light, forecast. */
     murk_status status = murk_emission_check(&e, err);
@@ -301,7 +303,10 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
     if (status) {
         goto done;
     }
-    /* Trace. */
+    /* Trace what no part has. */
+    if (parts) {
+        murk_light_parts_add(parts, e.ledger, e.tallies);
+    }
     const double begun_s = murk_clock_s();
     murk_progress_begin("trace", (uint64_t)forecast.emitted, "photons");
     status = murk_emission_run(&e, err);
@@ -331,7 +336,43 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 murk_error *err)
 {
     streaming none = {.bands = stage->scene->bands};
-    return trace_light(out, stage, stream, threads, &none, err);
+    return trace_light(out, stage, stream, threads, &none, NULL, err);
+}
+
+/* Fails with MURK_BAD_FILE if the energies of merged parts cannot be those of a
+ * run. */
+static murk_status check_merged(const murk_traced *traced,
+                                const murk_stage *stage, murk_error *err)
+{
+    const murk_ledger *ledger = traced->ledger;
+    int64_t *cell = malloc(murk_ledger_cells(ledger) * sizeof *cell);
+    if (!cell) {
+        return murk_no_memory(err, "", "for the ledger");
+    }
+    murk_ledger_read(ledger, cell);
+    const murk_status status = murk_lightmap_check_ledger(
+        cell, traced->emitted, traced->packet_w, stage, "parts", err);
+    free(cell);
+    return status;
+}
+
+murk_status murk_lightmap_merge(murk_traced **out, const murk_stage *stage,
+                                const murk_light_parts *parts, unsigned threads,
+                                murk_error *err)
+{
+    streaming none = {.bands = stage->scene->bands};
+    murk_traced *traced = NULL;
+    murk_status status =
+        trace_light(&traced, stage, 0, threads, &none, parts, err);
+    if (!status) {
+        status = check_merged(traced, stage, err);
+    }
+    if (status) {
+        murk_traced_destroy(traced);
+        return status;
+    }
+    *out = traced;
+    return MURK_OK;
 }
 
 murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
@@ -340,7 +381,7 @@ murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
 {
     streaming s = {
         .each = each, .context = context, .bands = stage->scene->bands};
-    return trace_light(out, stage, 0, threads, &s, err);
+    return trace_light(out, stage, 0, threads, &s, NULL, err);
 }
 
 murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
@@ -353,7 +394,7 @@ murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
                    .bands = stage->scene->bands,
                    .passes = true,
                    .bytes_each = bytes_each};
-    return trace_light(out, stage, stream, threads, &s, err);
+    return trace_light(out, stage, stream, threads, &s, NULL, err);
 }
 
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,

@@ -8,7 +8,7 @@
 #ifndef MURK_LIGHTMAP_LIGHTMAP_H
 #define MURK_LIGHTMAP_LIGHTMAP_H
 
-#include "lightmap/record_buffers.h"
+#include "lightmap/light_part.h"
 #include "photonmap/map.h"
 #include "world/stage.h"
 
@@ -65,6 +65,13 @@ void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
 murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
+/* The same light from parts of a run, in every bit (lightmap/light_part.h).
+ * Batches that no part has are traced. Fails also with MURK_BAD_FILE if the
+ * sums of the parts cannot be those of a run. */
+murk_status murk_lightmap_merge(murk_traced **out, const murk_stage *stage,
+                                const murk_light_parts *parts, unsigned threads,
+                                murk_error *err);
+
 void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
 
 /* As murk_lightmap_trace(), for stream 0, and calls each(context, batch) for

@@ -110,6 +110,36 @@ void murk_record_buffers_event(void *context, uint64_t batch,
     }
 }
 
+void murk_record_buffers_receive(murk_record_buffers *h, murk_trace *trace)
+{
+    if (h->keeps_surface || h->keeps_volume) {
+        trace->sink = murk_record_buffers_event;
+        trace->takes_any_order = true;
+        trace->skips_surfaces = !h->keeps_surface;
+        trace->skips_media = !h->keeps_volume;
+        trace->skips_ends = !h->settings->store_hits;
+        trace->context = h;
+    }
+}
+
+void murk_record_buffers_swap(murk_record_buffers *h, size_t a, size_t b)
+{
+    const murk_record_list list = h->buffer[a];
+    h->buffer[a] = h->buffer[b];
+    h->buffer[b] = list;
+}
+
+void murk_record_buffers_fill(murk_record_buffers *h, size_t batch,
+                              const murk_photon *records, size_t n)
+{
+    murk_record_list *buffer = &h->buffer[batch];
+    buffer->n = 0;
+    for (size_t i = 0; i < n; ++i) {
+        buffer->is_short_of_memory |=
+            !murk_record_list_put(buffer, &records[i]);
+    }
+}
+
 /* Sorts the records of a batch by photon; the records of one photon stay in
  * order. A counting sort: a batch has few photons, with successive numbers. */
 static void sort_batch(void *context, uint64_t batch)

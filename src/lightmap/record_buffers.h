@@ -75,6 +75,18 @@ double murk_record_buffers_share(const murk_record_buffers *buffers,
 void murk_record_buffers_event(void *context, uint64_t batch,
                                const murk_event *event);
 
+/* Makes the buffers the sink of a trace of one wave, with the events that they
+ * need. Call murk_record_buffers_sort() after the trace. */
+void murk_record_buffers_receive(murk_record_buffers *buffers,
+                                 murk_trace *trace);
+
+/* Exchanges the records of two batches of this wave; and gives a batch of this
+ * wave the records of a part of the run, in the order of photons.
+ * murk_record_buffers_gather() reports a lack of memory. */
+void murk_record_buffers_swap(murk_record_buffers *buffers, size_t a, size_t b);
+void murk_record_buffers_fill(murk_record_buffers *buffers, size_t batch,
+                              const murk_photon *records, size_t n);
+
 /* Sorts the records of each batch of this wave by photon, after a trace whose
  * events came in any order of photons (takes_any_order of transport/trace.h).
  * murk_record_buffers_gather() reports a lack of memory. */

@@ -46,32 +46,32 @@ static bool adds_up(int64_t whole, const int64_t *part, size_t n)
 }
 
 /* Checks the packet power and the energy balance of one channel. */
-static murk_status check_channel(const murk_lightmap_numbers *f, size_t c,
-                                 uint64_t count, const murk_stage *stage,
+static murk_status check_channel(const int64_t *cell, size_t c, uint64_t count,
+                                 double packet_w, const murk_stage *stage,
                                  const char *path, murk_error *err)
 {
+    const size_t channels = murk_sources_channels(stage->lights);
     const size_t materials = stage->scene->n_materials;
     const size_t media = stage->scene->n_media;
-    const double packet_w =
+    const double due_w =
         count ? murk_sources_channel_power_w(stage->lights, c) / (double)count
               : 0;
-    if (!(fabs(f->packet_w[c] - packet_w) <= PACKET_TOLERANCE * packet_w)) {
+    if (!(fabs(packet_w - due_w) <= PACKET_TOLERANCE * due_w)) {
         return impossible(path, "packet_w",
                           "a photon packet of another power than the scene's",
                           err);
     }
     /* 2^32 photons of 2^30 quanta fit in 63 bits */
-    if (f->emitted_quanta[c] != (int64_t)count * MURK_PACKET) {
+    if (cell[c] != (int64_t)count * MURK_PACKET) {
         return impossible(path, "ledger",
                           "other emitted energy than of its photons", err);
     }
-    const int64_t ends[] = {f->absorbed_surfaces_quanta[c],
-                            f->absorbed_media_quanta[c], f->escaped_quanta[c],
-                            f->lost_quanta[c]};
-    if (!adds_up(f->emitted_quanta[c], ends, sizeof ends / sizeof *ends)) {
+    const int64_t ends[] = {cell[channels + c], cell[2 * channels + c],
+                            cell[3 * channels + c], cell[4 * channels + c]};
+    if (!adds_up(cell[c], ends, sizeof ends / sizeof *ends)) {
         return impossible(path, "ledger", "energy that does not add up", err);
     }
-    const int64_t *absorbed = f->absorbed + c * (materials + media);
+    const int64_t *absorbed = cell + 5 * channels + c * (materials + media);
     if (!adds_up(ends[0], absorbed, materials) ||
         !adds_up(ends[1], absorbed + materials, media)) {
         return impossible(path, "absorbed",
@@ -80,20 +80,27 @@ static murk_status check_channel(const murk_lightmap_numbers *f, size_t c,
     return MURK_OK;
 }
 
-murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
-                                        const murk_stage *stage,
-                                        const char *path, murk_error *err)
+murk_status murk_lightmap_check_ledger(const int64_t *cell, uint64_t emitted,
+                                       const double *packet_w,
+                                       const murk_stage *stage,
+                                       const char *path, murk_error *err)
 {
     const size_t channels = murk_sources_channels(stage->lights);
-    uint64_t lost = 0;
+    const size_t absorbers =
+        channels * (stage->scene->n_materials + stage->scene->n_media);
+    const int64_t *lost_photons = cell + 5 * channels + absorbers;
+    const int64_t counted = lost_photons[MURK_LOSSES];
+    const int64_t collisions = lost_photons[MURK_LOSSES + 1];
+    int64_t lost = 0;
     /* Every emitted photon is counted in the ledger, no more photons are lost
      * than were emitted, and the counts fit the types that a run has for
      * them. */
-    bool is_possible = f->emitted <= UINT32_MAX && f->counted == f->emitted &&
-                       f->collisions <= INT64_MAX;
+    bool is_possible =
+        emitted <= UINT32_MAX && counted == (int64_t)emitted && collisions >= 0;
     for (int i = 0; i < MURK_LOSSES && is_possible; ++i) {
-        is_possible = f->lost_photons[i] <= f->emitted - lost;
-        lost += f->lost_photons[i];
+        is_possible =
+            lost_photons[i] >= 0 && lost_photons[i] <= (int64_t)emitted - lost;
+        lost += lost_photons[i];
     }
     if (!is_possible) {
         return impossible(path, "facts", "counts that are out of range", err);
@@ -103,10 +110,11 @@ murk_status murk_lightmap_check_numbers(const murk_lightmap_numbers *f,
     if (!count) {
         return murk_no_memory(err, path, "to check it");
     }
-    murk_sources_deal(stage->lights, f->emitted, count);
+    murk_sources_deal(stage->lights, emitted, count);
     murk_status status = MURK_OK;
     for (size_t c = 0; c < channels && !status; ++c) {
-        status = check_channel(f, c, count[c], stage, path, err);
+        status =
+            check_channel(cell, c, count[c], packet_w[c], stage, path, err);
     }
     free(count);
     return status;

@@ -9,6 +9,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -44,6 +45,16 @@ typedef struct entry {
 
 _Static_assert(sizeof(header) == 64 && sizeof(entry) == 48,
                "the layout of light.murk");
+
+/* The member `bytes` is not const, so the pointer is
+ * copied by memcpy(); the writer only reads the bytes. */
+murk_section murk_section_of(const char *name, const void *bytes, size_t size)
+{
+    murk_section section = {.size = size};
+    snprintf(section.name, sizeof section.name, "%s", name);
+    memcpy(&section.bytes, &bytes, sizeof bytes);
+    return section;
+}
 
 static bool is_name(const char name[16])
 {

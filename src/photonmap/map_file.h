@@ -34,6 +34,9 @@ typedef struct murk_section {
     size_t size;
 } murk_section;
 
+/* A section for writing. */
+murk_section murk_section_of(const char *name, const void *bytes, size_t size);
+
 /* Writes a file, completely or not at all; fails as murk_file_create() and
  * murk_file_commit() do (base/file.h). At most MURK_MAP_FILE_SECTIONS sections,
  * whose names must differ. */

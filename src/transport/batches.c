@@ -51,7 +51,9 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
     const run *r = context;
     const murk_trace *trace = r->setup.trace;
     const murk_ledger *ledger = r->ledger;
-    const uint64_t first = trace->first + batch * MURK_BATCH_PHOTONS;
+    const uint64_t first = trace->batch
+                               ? trace->batch[batch] * MURK_BATCH_PHOTONS
+                               : trace->first + batch * MURK_BATCH_PHOTONS;
     const uint64_t left = trace->last - first;
     const uint64_t n = left < MURK_BATCH_PHOTONS ? left : MURK_BATCH_PHOTONS;
     /* Empty sums. */
@@ -101,7 +103,8 @@ void murk_trace_run(const murk_trace *trace, murk_ledger *ledger)
     run r = {.setup = murk_walk_setup_of(trace), .ledger = ledger};
     r.lanes = murk_photon_lanes_for(&r.setup);
     const uint64_t photons = trace->last - trace->first;
-    murk_pool_run_workers(
-        trace->threads, (photons + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS,
-        trace_batch, &r);
+    const uint64_t batches =
+        trace->batch ? trace->batches
+                     : (photons + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    murk_pool_run_workers(trace->threads, batches, trace_batch, &r);
 }

@@ -102,3 +102,52 @@ int64_t murk_ledger_imbalance(const murk_ledger *ledger)
     }
     return sum;
 }
+
+size_t murk_ledger_accounts(const murk_ledger *ledger)
+{
+    return ACCOUNTS * ledger->channels;
+}
+
+size_t murk_ledger_absorbers(const murk_ledger *ledger)
+{
+    return ledger->channels * (ledger->materials + ledger->media);
+}
+
+size_t murk_ledger_cells(const murk_ledger *ledger)
+{
+    return murk_ledger_accounts(ledger) + murk_ledger_absorbers(ledger) +
+           MURK_LOSSES + 2;
+}
+
+void murk_ledger_read(const murk_ledger *ledger, int64_t *cell)
+{
+    const size_t each = ledger->materials + ledger->media;
+    for (size_t i = 0; i < murk_ledger_accounts(ledger); ++i) {
+        *cell++ = murk_tally_read(&ledger->emitted[i]); /* and the accounts that
+                                                           follow it */
+    }
+    for (size_t i = 0; i < murk_ledger_absorbers(ledger); ++i) {
+        *cell++ = absorbed_by(ledger, i / each, i % each);
+    }
+    for (int i = 0; i < MURK_LOSSES; ++i) {
+        *cell++ = murk_tally_read(&ledger->lost_photons[i]);
+    }
+    *cell++ = murk_tally_read(&ledger->photons);
+    *cell = murk_tally_read(&ledger->collisions);
+}
+
+void murk_ledger_add(murk_ledger *ledger, const int64_t *cell)
+{
+    for (size_t i = 0; i < murk_ledger_accounts(ledger); ++i) {
+        murk_tally_add(&ledger->emitted[i], *cell++);
+    }
+    /* The sum over the lanes counts, so the first lane takes all. */
+    for (size_t i = 0; i < murk_ledger_absorbers(ledger); ++i) {
+        murk_tally_add(&ledger->absorber[i], *cell++);
+    }
+    for (int i = 0; i < MURK_LOSSES; ++i) {
+        murk_tally_add(&ledger->lost_photons[i], *cell++);
+    }
+    murk_tally_add(&ledger->photons, *cell++);
+    murk_tally_add(&ledger->collisions, *cell);
+}

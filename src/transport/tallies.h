@@ -106,6 +106,13 @@ void murk_tallies_destroy(murk_tallies *tallies); /* NULL is fine */
 bool murk_tallies_fit(const murk_tallies *tallies, size_t channels,
                       unsigned threads);
 
+/* All sums as one array of murk_tallies_words() numbers, by which tallies of
+ * parts of a run are stored and added: for each channel and cell of all tallies
+ * the sum and the sum of the squares, 128 bits each, the low half first. */
+size_t murk_tallies_words(const murk_tallies *tallies);
+void murk_tallies_read_sums(const murk_tallies *tallies, uint64_t *word);
+void murk_tallies_add_sums(murk_tallies *tallies, const uint64_t *word);
+
 size_t murk_tallies_count(const murk_tallies *tallies);
 const murk_tally_desc *murk_tallies_desc(const murk_tallies *tallies,
                                          size_t tally);

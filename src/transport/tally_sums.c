@@ -257,6 +257,43 @@ murk_scorer *murk_tallies_scorer(murk_tallies *t, unsigned worker)
 
 /* ---- reading ---- */
 
+/* The two sums of bin i of [channels][cells], over all copies. */
+static void sum_copies(const murk_tallies *t, size_t i, murk_wide *sum,
+                       murk_wide *squares)
+{
+    *sum = *squares = 0;
+    for (size_t copy = 0; copy < t->copies; ++copy) {
+        const murk_tally_bin *from = &t->bin[copy * t->channels * t->cells + i];
+        *sum += murk_wide_read(&from->sum);
+        *squares += murk_wide_read(&from->squares);
+    }
+}
+
+size_t murk_tallies_words(const murk_tallies *t)
+{
+    return 4 * t->channels * t->cells;
+}
+
+void murk_tallies_read_sums(const murk_tallies *t, uint64_t *word)
+{
+    for (size_t i = 0; i < t->channels * t->cells; ++i) {
+        murk_wide sum, squares;
+        sum_copies(t, i, &sum, &squares);
+        *word++ = (uint64_t)sum;
+        *word++ = (uint64_t)(sum >> 64);
+        *word++ = (uint64_t)squares;
+        *word++ = (uint64_t)(squares >> 64);
+    }
+}
+
+void murk_tallies_add_sums(murk_tallies *t, const uint64_t *word)
+{
+    for (size_t i = 0; i < t->channels * t->cells; ++i, word += 4) {
+        murk_wide_add(&t->bin[i].sum, (murk_wide)word[1] << 64 | word[0]);
+        murk_wide_add(&t->bin[i].squares, (murk_wide)word[3] << 64 | word[2]);
+    }
+}
+
 size_t murk_tallies_count(const murk_tallies *t)
 {
     return t->n;
@@ -298,14 +335,8 @@ murk_estimate murk_tallies_read(const murk_tallies *t, size_t tally, int band,
 {
     double power_w = 0, variance_w2 = 0;
     for (size_t c = (size_t)band; c < t->channels; c += (size_t)t->bands) {
-        murk_wide sum = 0, squares = 0;
-        for (size_t copy = 0; copy < t->copies; ++copy) {
-            const murk_tally_bin *from =
-                &t->bin[(copy * t->channels + c) * t->cells + t->first[tally] +
-                        cell];
-            sum += murk_wide_read(&from->sum);
-            squares += murk_wide_read(&from->squares);
-        }
+        murk_wide sum, squares;
+        sum_copies(t, c * t->cells + t->first[tally] + cell, &sum, &squares);
         const double quantum_w = packet_w[c] / (double)MURK_PACKET;
         const int64_t n = murk_tally_read(&emitted[c]) / MURK_PACKET;
         power_w += quantum_w * murk_wide_value(sum);

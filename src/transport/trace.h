@@ -154,6 +154,11 @@ typedef struct murk_trace {
                       * have independent random numbers (plan/plan.h,
                       * render/render.c) */
     uint64_t first, last; /* photons [first, last); batch 0 starts at first */
+    const uint64_t
+        *batch; /* [batches] only these batches: batch k of the call has the
+                   photons of [first, last) that are numbered from
+                   batch[k] * MURK_BATCH_PHOTONS on; NULL: all photons */
+    size_t batches;
     unsigned threads;
     uint32_t events_max, wraps_max;
     double least_weight; /* MURK_MIN_WEIGHT_MIN..1 */
@@ -215,6 +220,19 @@ int64_t murk_ledger_by_medium(const murk_ledger *ledger, size_t channel,
 
 /* The sum over channels of |emitted - absorbed - escaped - lost|: always 0. */
 int64_t murk_ledger_imbalance(const murk_ledger *ledger);
+
+/* All sums of a ledger as one array of murk_ledger_cells() numbers, by which
+ * ledgers of parts of a run are stored and added: emitted, absorbed by surfaces
+ * and by media, escaped, lost ([channels] each); absorbed by each material and
+ * medium ([channels][materials + media]); lost photons by cause, photons,
+ * collisions. */
+size_t murk_ledger_cells(const murk_ledger *ledger);
+void murk_ledger_read(const murk_ledger *ledger, int64_t *cell);
+void murk_ledger_add(murk_ledger *ledger, const int64_t *cell);
+
+/* The numbers of cells before the absorbers, and of absorbers. */
+size_t murk_ledger_accounts(const murk_ledger *ledger);
+size_t murk_ledger_absorbers(const murk_ledger *ledger);
 
 /* Traces the photons and adds to the ledger and the tallies; does nothing if
  * all lights are dark or there is no photon to trace. Ends early after an

@@ -21,6 +21,7 @@ typedef struct given {
 } given;
 
 static const char *const keys[] = {"media.fog.albedo"};
+static const char *const no_parts[] = {"no-such.part"};
 
 /* Cancels a trace. */
 static int cancel(void *user, murk_batch *batch)
@@ -45,6 +46,8 @@ static int cancel(void *user, murk_batch *batch)
       (&out, g->world, cancel, NULL, &error), "stopped by the function")       \
     X(light, murk_light_read, (&out, g->world, NULL, &error),                  \
       (&out, g->world, "no-such-light.murk", &error), "cannot read")           \
+    X(light, murk_light_merge, (&out, g->world, NULL, 1, &error),              \
+      (&out, g->world, no_parts, 1, &error), "cannot read")                    \
     X(sensors, murk_sensors_read, (&out, g->world, NULL, &error),              \
       (&out, g->small, "no-such-sensors.csv", &error), "cannot read")          \
     X(coverage, murk_coverage_measure, (&out, g->light, NULL, &error),         \

@@ -1,5 +1,5 @@
 /* Light: records as views and in batches while light is traced, a tally, the
- * energy ledger, and light.murk. */
+ * energy ledger, light.murk, and light in parts. */
 #include "example.h"
 
 /* The sum of a field of floats, n long. */
@@ -79,6 +79,15 @@ int main(void)
                                                                       : "no");
     must(murk_light_save(light, "results", NULL, NULL, &error), &error);
     murk_light_destroy(again);
+    /* The light in two parts, as two machines would trace it. */
+    static const char *const part[] = {"1.part", "2.part"};
+    must(murk_light_trace_part(world, 1, 2, part[0], &error), &error);
+    must(murk_light_trace_part(world, 2, 2, part[1], &error), &error);
+    must(murk_light_merge(&again, world, part, 2, &error), &error);
+    printf("the parts have as many records: %s\n",
+           murk_light_count(again, MURK_MAP_VOLUME) == power.shape[0] ? "yes"
+                                                                      : "no");
+    murk_light_destroy(again);
     /* Light in batches; the function of the program cancels. */
     size_t records = 0;
     const murk_status status =
@@ -99,6 +108,7 @@ int main(void)
  * tally of 4 x 3 x 2 cells
  * emitted: 20 W, imbalance: 0
  * the same number of records: yes
+ * the parts have as many records: yes
  * 10240 photons, some records: yes
  * interrupted
  * packet of the lamp: 0.001 W

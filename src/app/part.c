@@ -1,0 +1,160 @@
+/* Writes and reads the folder of a part of a run (app/part.h). part.txt has one
+ * line a fact: "murk part", "version V", "part K/N", and "word W" for each word
+ * of the command. */
+#include "app/part.h"
+
+#include "app/field.h"
+#include "app/lookup.h"
+#include "base/file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define MARK "murk part\n"
+
+/* A command line is far shorter than this. */
+#define TEXT_MAX 1000000
+
+/* A version with the commit. */
+#define VERSION_SIZE 128
+
+/* light.part begins with the mark of light.murk. */
+static const char light_mark[] = {(char)0x8d, 'm', 'u', 'r', 'k'};
+
+murk_status murk_part_path(char **out, const char *folder, const char *name,
+                           murk_error *err)
+{
+    const size_t size = strlen(folder) + strlen(name) + 2;
+    *out = malloc(size);
+    if (!*out) {
+        return murk_no_memory(err, folder, "for a path");
+    }
+    snprintf(*out, size, "%s/%s", folder, name);
+    return MURK_OK;
+}
+
+/* The version and commit of this program, as parts state them. */
+static murk_status version_now(char out[VERSION_SIZE], murk_error *err)
+{
+    murk_lookup lookup;
+    const murk_status status = murk_lookup_begin(&lookup, "version", err);
+    if (!status) {
+        snprintf(out, VERSION_SIZE, "%s %s", murk_version(),
+                 murk_field_text(lookup.fields, "commit"));
+    }
+    murk_lookup_end(&lookup);
+    return status;
+}
+
+static murk_status check_owner(const murk_options *options, const char *name,
+                               const char *mark, size_t size, murk_error *err)
+{
+    char *path = NULL;
+    murk_status status = murk_part_path(&path, options->out, name, err);
+    if (!status) {
+        status = murk_file_check_owner(path, mark, size, options->force, err);
+    }
+    free(path);
+    return status;
+}
+
+murk_status murk_part_begin(const murk_options *options, murk_error *err)
+{
+    murk_status status = murk_folder_make(options->out, err);
+    if (!status) {
+        status = check_owner(options, MURK_PART_FILE, MARK, strlen(MARK), err);
+    }
+    if (!status) {
+        status = check_owner(options, MURK_PART_LIGHT, light_mark,
+                             sizeof light_mark, err);
+    }
+    return status;
+}
+
+murk_status murk_part_end(const murk_options *options, murk_error *err)
+{
+    char *path = NULL, *text = NULL, version[VERSION_SIZE];
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    murk_status status =
+        to ? murk_part_path(&path, options->out, MURK_PART_FILE, err)
+           : murk_no_memory(err, "", "for the options");
+    if (!status) {
+        status = version_now(version, err);
+    }
+    /* The lines of part.txt. */
+    if (!status) {
+        fprintf(to, MARK "version %s\npart %u/%u\n", version,
+                options->shard.number, options->shard.count);
+    }
+    for (size_t i = 0; i < options->repeated.n && !status; ++i) {
+        const char *word = options->repeated.word[i];
+        fprintf(to, "word %s\n", word);
+        if (strchr(word, '\n')) {
+            status = murk_fail(err, MURK_BAD_VALUE, "--shard",
+                               "a word of the command has a line break, which "
+                               "the file of a part cannot hold");
+        }
+    }
+    if (to && fclose(to) != 0 && !status) {
+        status = murk_no_memory(err, "", "for the options");
+    }
+    if (!status) {
+        status = murk_file_write(path, text, size, err);
+    }
+    free(path);
+    free(text);
+    return status;
+}
+
+/* The line at *at without the line break, which is replaced by '\0'; NULL at
+ * the end. */
+static char *next_line(char **at)
+{
+    char *line = *at, *end = strchr(line, '\n');
+    if (!end) {
+        return NULL;
+    }
+    *end = '\0';
+    *at = end + 1;
+    return line;
+}
+
+murk_status murk_part_read(char ***argv, int *argc, char **text,
+                           const char *folder, murk_error *err)
+{
+    char *path = NULL, version[VERSION_SIZE];
+    size_t size = 0;
+    murk_status status = murk_part_path(&path, folder, MURK_PART_FILE, err);
+    if (!status) {
+        status = version_now(version, err);
+    }
+    if (!status) {
+        status = murk_file_read(text, &size, path, TEXT_MAX, err);
+    }
+    *argv = status ? NULL : calloc(size + 2, sizeof **argv);
+    if (!status && !*argv) {
+        status = murk_no_memory(err, path, "to read it");
+    }
+    /* The mark, the version, and the words. */
+    char *at = *text, *line = status ? NULL : next_line(&at);
+    if (!status && (!line || strcmp(line, "murk part") != 0)) {
+        status =
+            murk_fail(err, MURK_BAD_FILE, path, "no part of a run of murk");
+    }
+    line = status ? NULL : next_line(&at);
+    const char *made_by =
+        line && strncmp(line, "version ", 8) == 0 ? line + 8 : "?";
+    if (!status && strcmp(made_by, version) != 0) {
+        status = murk_fail(err, MURK_BAD_VALUE, path,
+                           "made by murk %s, this is %s", made_by, version);
+    }
+    *argc = 0;
+    while (!status && (line = next_line(&at))) {
+        if (strncmp(line, "word ", 5) == 0) {
+            (*argv)[(*argc)++] = line + 5;
+        }
+    }
+    free(path);
+    return status;
+}

@@ -1,0 +1,232 @@
+/* Traces the batches of a shard and writes them as a part of the light of a
+ * scene (lightmap/light_part.h), in waves like an undivided run
+ * (lightmap/emission.h). The file has the container format of light.murk
+ * (photonmap/map_file.h). */
+#include "lightmap/light_part_trace.h"
+
+#include "base/interrupt.h"
+#include "base/machine.h"
+#include "base/progress.h"
+#include "base/version.h"
+#include "lightmap/emission.h"
+#include "lightmap/light_part.h"
+#include "photonmap/map_file.h"
+#include "world/scene_tallies.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A part that is traced. */
+typedef struct tracing {
+    const murk_stage *stage;
+    murk_shard shard;
+    unsigned threads;
+    murk_ledger *ledger;
+    murk_tallies *tallies;
+    murk_record_buffers *buffers; /* of one wave */
+    murk_record_list records;     /* of all batches so far */
+    uint32_t *count;              /* [batches] records of each batch */
+    uint64_t batches, capacity;
+} tracing;
+
+/* The number of photons of the whole run, at most. */
+static uint64_t photons_max(const tracing *t)
+{
+    const murk_emission all = {.stage = t->stage,
+                               .emit = t->stage->scene->photons.emit};
+    return murk_emission_max(&all);
+}
+
+/* The number of records that end the part: its share of photons.store; 0 if the
+ * number of photons is given. */
+static uint64_t records_wanted(const tracing *t)
+{
+    const murk_scene_photons *settings = &t->stage->scene->photons;
+    return settings->emit
+               ? 0
+               : (settings->store + t->shard.count - 1) / t->shard.count;
+}
+
+/* Number of batches of the next wave, 0 at the end of the part. With
+ * photons.store only as many as should give the records that are missing. */
+static size_t wave_batches(const tracing *t)
+{
+    const uint64_t all =
+        (photons_max(t) + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    const uint64_t first = t->shard.number - 1;
+    const uint64_t own =
+        all > first ? (all - first - 1) / t->shard.count + 1 : 0;
+    const uint64_t wanted = records_wanted(t), stored = t->records.n;
+    uint64_t n = own - t->batches;
+    if (wanted > 0 && stored >= wanted) {
+        n = 0;
+    } else if (wanted > 0) {
+        const double missing = (double)(wanted - stored);
+        const double due =
+            stored > 0 ? missing * (double)t->batches / (double)stored : 0;
+        n = n < (uint64_t)due + 1 ? n : (uint64_t)due + 1;
+    }
+    return (size_t)(n < MURK_WAVE_BATCHES ? n : MURK_WAVE_BATCHES);
+}
+
+/* Appends the records of a wave of n batches. False when out of memory. */
+static bool append_wave(tracing *t, size_t n)
+{
+    if (t->batches + n > t->capacity) {
+        const uint64_t capacity = 2 * t->capacity + MURK_WAVE_BATCHES;
+        uint32_t *count = realloc(t->count, capacity * sizeof *count);
+        if (!count) {
+            return false;
+        }
+        t->count = count;
+        t->capacity = capacity;
+    }
+    for (size_t b = 0; b < n; ++b) {
+        murk_record_list *buffer = &t->buffers->buffer[b];
+        bool fits = !buffer->is_short_of_memory;
+        for (size_t i = 0; fits && i < buffer->n; ++i) {
+            fits = murk_record_list_put(&t->records, &buffer->photon[i]);
+        }
+        if (!fits) {
+            return false;
+        }
+        t->count[t->batches++] = (uint32_t)buffer->n;
+        buffer->n = 0;
+    }
+    return true;
+}
+
+static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
+{
+    const murk_scene_photons *settings = &t->stage->scene->photons;
+    uint64_t batch[MURK_WAVE_BATCHES];
+    for (size_t b = 0; b < n; ++b) {
+        batch[b] = t->shard.number - 1 + (t->batches + b) * t->shard.count;
+    }
+    /* Trace the batches, and sort their records by photon. */
+    murk_trace trace = murk_stage_trace(t->stage);
+    trace.last = photons_max(t);
+    trace.batch = batch;
+    trace.batches = n;
+    trace.threads = t->threads;
+    trace.tallies = t->tallies;
+    murk_record_buffers_receive(t->buffers, &trace);
+    murk_trace_run(&trace, t->ledger);
+    murk_record_buffers_sort(t->buffers, t->threads);
+    if (murk_interrupted()) {
+        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    }
+    /* Keep the records. */
+    if (!append_wave(t, n)) {
+        return murk_no_memory(err, settings->where,
+                              "for more than %.3g stored photons",
+                              (double)t->records.n);
+    }
+    return t->records.n <= settings->max_stored
+               ? MURK_OK
+               : murk_fail(err, MURK_RUN_FAILED, settings->where,
+                           "max_stored: more than %llu photons were stored",
+                           (unsigned long long)settings->max_stored);
+}
+
+/* The number behind the last photon of the part. */
+static uint64_t photons_end(const tracing *t)
+{
+    if (t->batches == 0) {
+        return 0;
+    }
+    const uint64_t last =
+        t->shard.number - 1 + (t->batches - 1) * t->shard.count;
+    const uint64_t end = (last + 1) * MURK_BATCH_PHOTONS;
+    return end < photons_max(t) ? end : photons_max(t);
+}
+
+static murk_status write_part(const tracing *t, const char *path,
+                              murk_error *err)
+{
+    const murk_scene_desc *scene = t->stage->scene;
+    const size_t cells = murk_ledger_cells(t->ledger);
+    const size_t words = t->tallies ? murk_tallies_words(t->tallies) : 0;
+    int64_t *cell = malloc(cells * sizeof *cell);
+    uint64_t *word = malloc(words * sizeof *word + 1);
+    murk_status status = MURK_OK;
+    if (!cell || !word) {
+        status = murk_no_memory(err, path, "to write it");
+        goto done;
+    }
+    /* The sums, and what the part belongs to. */
+    murk_ledger_read(t->ledger, cell);
+    if (t->tallies) {
+        murk_tallies_read_sums(t->tallies, word);
+    }
+    murk_light_part_facts f = {.batches = t->batches,
+                               .end = photons_end(t),
+                               .number = t->shard.number,
+                               .count = t->shard.count};
+    snprintf(f.version, sizeof f.version, "%s", MURK_VERSION);
+    const murk_vec3 origin = scene->origin;
+    const murk_section sections[] = {
+        murk_section_of("part", &f, sizeof f),
+        murk_section_of("scene", scene->resolved, strlen(scene->resolved)),
+        murk_section_of("key", t->stage->light_key,
+                        strlen(t->stage->light_key)),
+        murk_section_of("origin_m", &origin, sizeof origin),
+        murk_section_of("ledger", cell, cells * sizeof *cell),
+        murk_section_of("tallies", word, words * sizeof *word),
+        murk_section_of("counts", t->count, t->batches * sizeof *t->count),
+        murk_section_of("records", t->records.photon,
+                        t->records.n * sizeof *t->records.photon)};
+    status = murk_map_file_write(path, sections,
+                                 sizeof sections / sizeof *sections, err);
+done:
+    free(cell);
+    free(word);
+    return status;
+}
+
+murk_status murk_light_part_trace(const murk_stage *stage, murk_shard shard,
+                                  unsigned threads, const char *path,
+                                  murk_error *err)
+{
+    tracing t = {.stage = stage, .shard = shard, .threads = threads};
+    const murk_emission all = {.stage = stage,
+                               .emit = stage->scene->photons.emit};
+    /* Check before tracing, and allocate. */
+    murk_status status = murk_emission_check(&all, err);
+    if (!status) {
+        status = murk_ending_check(stage, 0, err);
+    }
+    if (!status) {
+        status = murk_ledger_create(&t.ledger, &stage->world, err);
+    }
+    if (!status) {
+        status = murk_tallies_of_stage(&t.tallies, stage, threads,
+                                       murk_machine_memory_bytes(), err);
+    }
+    if (!status) {
+        t.buffers = murk_record_buffers_create(&stage->scene->photons);
+        status = t.buffers ? MURK_OK
+                           : murk_no_memory(err, stage->scene->photons.where,
+                                            "to trace");
+    }
+    /* Trace waves of batches; nothing if no light source emits. */
+    if (!status) {
+        const uint64_t emit = stage->scene->photons.emit;
+        murk_progress_begin("trace", emit / shard.count, "photons");
+        const bool is_dark = murk_sources_lit(stage->lights) == 0;
+        for (size_t n; !status && !is_dark && (n = wave_batches(&t)) > 0;) {
+            status = trace_wave(&t, n, err);
+        }
+        murk_progress_end();
+    }
+    if (!status) {
+        status = write_part(&t, path, err);
+    }
+    murk_record_buffers_destroy(t.buffers);
+    murk_ledger_destroy(t.ledger);
+    murk_tallies_destroy(t.tallies);
+    free(t.records.photon);
+    free(t.count);
+    return status;
+}
