@@ -700,8 +700,9 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
  * and writes the part to a file: of `count` parts, numbered from 1 to 100000 at
  * most, part `number` has every count-th batch of photons. The parts of a world
  * together are its light in every bit (murk_light_merge()). Fails as
- * murk_light_trace() but for lost photons, and with MURK_BAD_VALUE if there is
- * no such part. */
+ * murk_light_trace(), but finds only while it traces that records are too many
+ * or memory is short, and accepts lost photons, which murk_light_merge()
+ * refuses; also with MURK_BAD_VALUE if there is no such part. */
 murk_status murk_light_trace_part(murk_world *world, uint32_t number,
                                   uint32_t count, const char *path,
                                   murk_error *error);

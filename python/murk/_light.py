@@ -85,6 +85,8 @@ class World:
 
         Example: `light = world.merge_light(glob.glob("part-*.murk"))`.
         """
+        if isinstance(paths, (str, bytes)) or len(paths) == 0:
+            raise Error("must be a list of paths", where="argument paths")
         return Light(self, parts=paths)
 
     def check(self, picture: Path | None = None, pixels: Sequence[int] | None = None,

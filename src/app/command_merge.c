@@ -74,19 +74,24 @@ static murk_status parse(murk_options *out, words *w,
         free(argv);
         return murk_no_memory(err, "", "for the options");
     }
-    /* "murk", the words of the parts, and the folder of the results. */
+    /* "murk", the folder of the results, and the words of the parts, among
+     * which "--" may end the options. */
     argv[argc++] = name;
-    memcpy(argv + argc, w->word, (size_t)w->n * sizeof *argv);
-    argc += w->n;
     if (w->folder) {
         argv[argc++] = out_option;
         argv[argc++] = w->folder;
     }
+    memcpy(argv + argc, w->word, (size_t)w->n * sizeof *argv);
+    argc += w->n;
     murk_status status = murk_options_parse(out, argc, argv, err);
     free(argv);
-    if (!status && strcmp(out->command->name, "trace") != 0) {
+    const bool is_trace =
+        !status && out->command && strcmp(out->command->name, "trace") == 0 &&
+        !out->wants_help && !out->wants_version && !out->wants_man &&
+        !out->shard.count && !murk_option_is_given(out, "--completion");
+    if (!status && !is_trace) {
         status = murk_fail(err, MURK_BAD_FILE, options->input,
-                           "murk %s has no parts", out->command->name);
+                           "no part of murk trace, which alone has parts");
     }
     /* What concerns the place of results and the form of the output. */
     out->context = options->context;

@@ -58,8 +58,28 @@ static murk_status check_owner(const murk_options *options, const char *name,
     return status;
 }
 
+/* Removes an old part.txt, so that a part that is not complete has none. */
+static murk_status remove_old(const murk_options *options, murk_error *err)
+{
+    char *path = NULL;
+    const murk_status status =
+        murk_part_path(&path, options->out, MURK_PART_FILE, err);
+    if (!status) {
+        (void)remove(path);
+    }
+    free(path);
+    return status;
+}
+
 murk_status murk_part_begin(const murk_options *options, murk_error *err)
 {
+    for (size_t i = 0; i < options->repeated.n; ++i) {
+        if (strchr(options->repeated.word[i], '\n')) {
+            return murk_fail(err, MURK_BAD_VALUE, "--shard",
+                             "a word of the command has a line break, which "
+                             "the file of a part cannot hold");
+        }
+    }
     murk_status status = murk_folder_make(options->out, err);
     if (!status) {
         status = check_owner(options, MURK_PART_FILE, MARK, strlen(MARK), err);
@@ -68,7 +88,7 @@ murk_status murk_part_begin(const murk_options *options, murk_error *err)
         status = check_owner(options, MURK_PART_LIGHT, light_mark,
                              sizeof light_mark, err);
     }
-    return status;
+    return status ? status : remove_old(options, err);
 }
 
 murk_status murk_part_end(const murk_options *options, murk_error *err)
@@ -88,13 +108,7 @@ murk_status murk_part_end(const murk_options *options, murk_error *err)
                 options->shard.number, options->shard.count);
     }
     for (size_t i = 0; i < options->repeated.n && !status; ++i) {
-        const char *word = options->repeated.word[i];
-        fprintf(to, "word %s\n", word);
-        if (strchr(word, '\n')) {
-            status = murk_fail(err, MURK_BAD_VALUE, "--shard",
-                               "a word of the command has a line break, which "
-                               "the file of a part cannot hold");
-        }
+        fprintf(to, "word %s\n", options->repeated.word[i]);
     }
     if (to && fclose(to) != 0 && !status) {
         status = murk_no_memory(err, "", "for the options");

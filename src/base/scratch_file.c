@@ -78,6 +78,10 @@ static bool reserve(murk_scratch_file *file, uint64_t bytes_max)
 {
     const uint64_t minimum = MAP_MIN;
     uint64_t bytes = bytes_max > minimum ? bytes_max : minimum;
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur / 2 < bytes) {
+        bytes = limit.rlim_cur / 2; /* the other half is for memory */
+    }
     for (; bytes >= minimum; bytes /= 2) {
         void *map = bytes <= SIZE_MAX / 2 ? mmap(NULL, (size_t)bytes, PROT_READ,
                                                  MAP_SHARED, file->fd, 0)
@@ -199,7 +203,8 @@ void murk_scratch_file_discard(murk_scratch_file *file, const void *block,
 void murk_scratch_file_evict(murk_scratch_file *file)
 {
 #ifdef MADV_DONTNEED
-    (void)madvise(file->map, (size_t)murk_tally_read(&file->end),
+    const size_t end = (size_t)murk_tally_read(&file->end);
+    (void)madvise(file->map, end < file->map_bytes ? end : file->map_bytes,
                   MADV_DONTNEED);
 #else
     (void)file;

@@ -3,8 +3,6 @@
 #ifndef MURK_BASE_SHARD_H
 #define MURK_BASE_SHARD_H
 
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 
 #define MURK_SHARDS_MAX 100000 /* of a run; a choice */
@@ -13,12 +11,5 @@ typedef struct murk_shard {
     uint32_t number; /* 1..count */
     uint32_t count;  /* 0: the run is not divided */
 } murk_shard;
-
-/* True if the shard does piece k of the work, counted from 0: pieces are dealt
- * in turn. */
-static inline bool murk_shard_has(murk_shard shard, uint64_t k)
-{
-    return shard.count == 0 || k % shard.count == shard.number - 1;
-}
 
 #endif

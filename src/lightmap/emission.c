@@ -13,12 +13,6 @@
 
 #include <math.h>
 
-/* The number of photons that may be emitted for each record that `store` asks
- * for; the total is at most 2^32 - 1. If `store` is not reached by then, the
- * run fails, because a scene that stores so few records would run for hours to
- * little effect. */
-#define STORE_EMISSIONS UINT64_C(1000)
-
 static const murk_scene_photons *settings_of(const murk_emission *e)
 {
     return &e->stage->scene->photons;
@@ -47,12 +41,10 @@ static murk_trace trace_of(const murk_emission *e, uint64_t first,
     return trace;
 }
 
-uint64_t murk_emission_max(const murk_emission *e)
+/* Upper limit of the number of photons. */
+static uint64_t photons_max(const murk_emission *e)
 {
-    return e->emit ? e->emit
-           : wanted(e) < UINT32_MAX / STORE_EMISSIONS
-               ? wanted(e) * STORE_EMISSIONS
-               : UINT32_MAX;
+    return e->emit ? e->emit : murk_light_photons_max(settings_of(e));
 }
 
 /* Number of photons of the next wave: MURK_WAVE_BATCHES batches, but never more
@@ -63,7 +55,7 @@ uint64_t murk_emission_max(const murk_emission *e)
 static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
-    const uint64_t left = murk_emission_max(e) - done;
+    const uint64_t left = photons_max(e) - done;
     double batches = MURK_WAVE_BATCHES;
     if (done == 0 && (wanted(e) || e->is_first_small)) {
         batches = 1;
@@ -119,15 +111,21 @@ static void trace_missing(const murk_emission *e, murk_trace *trace)
 /* Removes the batches of parts behind the last wave. */
 static murk_status take_back_parts(const murk_emission *e, murk_error *err)
 {
-    const uint64_t from =
-        (e->reached + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
-    for (uint64_t b = from; e->parts && b < murk_light_parts_end(e->parts);
-         ++b) {
-        if (murk_light_parts_batch(e->parts, b, NULL, NULL)) {
-            const uint64_t end = (b + 1) * MURK_BATCH_PHOTONS;
-            const uint64_t max = murk_emission_max(e);
-            take_back(e, b * MURK_BATCH_PHOTONS, end < max ? end : max);
+    uint64_t b = (e->reached + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    const uint64_t end = e->parts ? murk_light_parts_end(e->parts) : 0;
+    while (b < end && !murk_interrupted()) {
+        uint64_t batch[MURK_WAVE_BATCHES];
+        size_t n = 0;
+        for (; b < end && n < MURK_WAVE_BATCHES; ++b) {
+            if (murk_light_parts_batch(e->parts, b, NULL, NULL)) {
+                batch[n++] = b;
+            }
         }
+        murk_trace trace = trace_of(e, 0, photons_max(e));
+        trace.batch = batch;
+        trace.batches = n;
+        trace.takes_back = true;
+        murk_trace_run(&trace, e->ledger);
     }
     return murk_interrupt_check(err);
 }
@@ -192,7 +190,7 @@ murk_status murk_emission_run(murk_emission *e, murk_error *err)
     bool is_done = murk_sources_lit(e->stage->lights) == 0;
     murk_status status = MURK_OK;
     while (!is_done && !status) {
-        if (e->emitted >= murk_emission_max(e)) {
+        if (e->emitted >= photons_max(e)) {
             return murk_fail(err, MURK_RUN_FAILED, settings_of(e)->where,
                              "store: of %.6g photons emitted only %.6g of "
                              "%.6g are stored; more are not tried",

@@ -50,16 +50,13 @@ typedef struct murk_emission {
                          traced and removed again */
 } murk_emission;
 
-/* The upper limit of the number of photons. */
-uint64_t murk_emission_max(const murk_emission *emission);
-
 /* Fails with MURK_BAD_VALUE if `emit` is given and smaller than the number of
  * channels (light source and band) with power. */
 murk_status murk_emission_check(const murk_emission *emission, murk_error *err);
 
 /* Traces all photons; none if no light source emits. Fails with MURK_RUN_FAILED
  * if fewer than `store` records are stored after as many photons as are tried
- * (STORE_EMISSIONS in emission.c), with MURK_INTERRUPTED, or as gather or
+ * (murk_light_photons_max()), with MURK_INTERRUPTED, or as gather or
  * murk_record_buffers_gather() does. */
 murk_status murk_emission_run(murk_emission *emission, murk_error *err);
 

@@ -15,6 +15,37 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The number of photons that may be emitted for each record that `store` asks
+ * for; the total is at most 2^32 - 1. If `store` is not reached by then, the
+ * run fails, because a scene that stores so few records would run for hours to
+ * little effect. */
+#define STORE_EMISSIONS UINT64_C(1000)
+
+uint64_t murk_light_photons_max(const murk_scene_photons *settings)
+{
+    return settings->emit ? settings->emit
+           : settings->store < UINT32_MAX / STORE_EMISSIONS
+               ? settings->store * STORE_EMISSIONS
+               : UINT32_MAX;
+}
+
+uint64_t murk_light_part_batches(uint64_t photons_max, murk_shard shard)
+{
+    const uint64_t all =
+        (photons_max + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    return all >= shard.number ? (all - shard.number) / shard.count + 1 : 0;
+}
+
+uint64_t murk_light_part_end(uint64_t photons_max, murk_shard shard,
+                             uint64_t batches)
+{
+    const uint64_t end =
+        batches > 0
+            ? (shard.number + (batches - 1) * shard.count) * MURK_BATCH_PHOTONS
+            : 0;
+    return end < photons_max ? end : photons_max;
+}
+
 typedef struct part {
     murk_section *sections; /* NULL: the shard is missing */
     size_t n_sections;
@@ -122,13 +153,14 @@ static murk_status check_batches(part *p, const murk_stage *stage,
     /* The records of all batches. */
     const murk_section *records =
         murk_map_file_find(p->sections, p->n_sections, "records");
+    const size_t all = records ? records->size / sizeof(murk_photon) : 0;
     size_t n = 0;
-    for (uint64_t k = 0; k < p->facts.batches; ++k) {
+    for (uint64_t k = 0; k < p->facts.batches && n <= all; ++k) {
         p->first[k] = n;
         n += p->count[k];
     }
     murk_status status = MURK_OK;
-    if (!records || records->size != n * sizeof(murk_photon)) {
+    if (!records || n != all || records->size % sizeof(murk_photon) != 0) {
         status = bad_part(p->path, "records are missing", err);
     } else {
         p->record = records->bytes;
@@ -154,14 +186,20 @@ static murk_status read_part(part *p, const murk_stage *stage,
     const murk_light_part_facts *f =
         find(p, "part", sizeof(murk_light_part_facts));
     if (!f || f->number < 1 || f->number > f->count ||
-        f->count > MURK_SHARDS_MAX || f->end > UINT32_MAX ||
-        f->batches > UINT32_MAX) {
+        f->count > MURK_SHARDS_MAX) {
         return bad_part(p->path, "the section \"part\" is missing", err);
     }
     p->facts = *f;
     status = check_owner(p, stage, err);
     if (status) {
         return status;
+    }
+    /* The batches must be those of the shard in a run of the scene. */
+    const uint64_t max = murk_light_photons_max(&stage->scene->photons);
+    const murk_shard shard = {f->number, f->count};
+    if (f->batches > murk_light_part_batches(max, shard) ||
+        f->end != murk_light_part_end(max, shard, f->batches)) {
+        return bad_part(p->path, "other batches than those of the shard", err);
     }
     /* The sums must have the sizes of those of the scene. */
     const size_t words = tallies ? murk_tallies_words(tallies) : 0;
@@ -171,6 +209,15 @@ static murk_status read_part(part *p, const murk_stage *stage,
     if ((p->facts.batches > 0 && !p->count) || !p->cell ||
         (words > 0 && !p->word)) {
         return bad_part(p->path, "sums of another size than the scene's", err);
+    }
+    /* No sum of whole numbers can overflow if each part has at most the energy
+     * of its photons. */
+    const int64_t max_quanta =
+        (int64_t)p->facts.batches * MURK_BATCH_PHOTONS * MURK_PACKET;
+    for (size_t i = 0; i < murk_ledger_cells(ledger); ++i) {
+        if (p->cell[i] < 0 || p->cell[i] > max_quanta) {
+            return bad_part(p->path, "sums that no photons have", err);
+        }
     }
     return check_batches(p, stage, err);
 }

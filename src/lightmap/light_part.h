@@ -23,6 +23,16 @@ typedef struct murk_light_part_facts {
     char version[32]; /* of murk, ended by '\0' */
 } murk_light_part_facts;
 
+/* The number of photons of a whole run, at most: with photons.store as many as
+ * are tried for so many records. */
+uint64_t murk_light_photons_max(const murk_scene_photons *settings);
+
+/* The number of batches of a shard in a run of at most photons_max photons, and
+ * the number behind the last photon of the first `batches` of them. */
+uint64_t murk_light_part_batches(uint64_t photons_max, murk_shard shard);
+uint64_t murk_light_part_end(uint64_t photons_max, murk_shard shard,
+                             uint64_t batches);
+
 typedef struct murk_light_parts murk_light_parts;
 
 /* Reads the files of parts. The same part may be given several times. Fails

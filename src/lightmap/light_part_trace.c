@@ -33,9 +33,7 @@ typedef struct tracing {
 /* The number of photons of the whole run, at most. */
 static uint64_t photons_max(const tracing *t)
 {
-    const murk_emission all = {.stage = t->stage,
-                               .emit = t->stage->scene->photons.emit};
-    return murk_emission_max(&all);
+    return murk_light_photons_max(&t->stage->scene->photons);
 }
 
 /* The number of records that end the part: its share of photons.store; 0 if the
@@ -49,22 +47,21 @@ static uint64_t records_wanted(const tracing *t)
 }
 
 /* Number of batches of the next wave, 0 at the end of the part. With
- * photons.store only as many as should give the records that are missing. */
+ * photons.store one at first, then only as many as should give the records that
+ * are missing. */
 static size_t wave_batches(const tracing *t)
 {
-    const uint64_t all =
-        (photons_max(t) + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
-    const uint64_t first = t->shard.number - 1;
-    const uint64_t own =
-        all > first ? (all - first - 1) / t->shard.count + 1 : 0;
+    const uint64_t own = murk_light_part_batches(photons_max(t), t->shard);
     const uint64_t wanted = records_wanted(t), stored = t->records.n;
     uint64_t n = own - t->batches;
     if (wanted > 0 && stored >= wanted) {
         n = 0;
     } else if (wanted > 0) {
         const double missing = (double)(wanted - stored);
-        const double due =
-            stored > 0 ? missing * (double)t->batches / (double)stored : 0;
+        const double due = stored > 0
+                               ? missing * (double)t->batches / (double)stored
+                           : t->batches > 0 ? MURK_WAVE_BATCHES
+                                            : 0;
         n = n < (uint64_t)due + 1 ? n : (uint64_t)due + 1;
     }
     return (size_t)(n < MURK_WAVE_BATCHES ? n : MURK_WAVE_BATCHES);
@@ -123,23 +120,13 @@ static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
                               "for more than %.3g stored photons",
                               (double)t->records.n);
     }
-    return t->records.n <= settings->max_stored
+    /* With photons.store the last batch may have too many, which merging cuts
+     * off. */
+    return settings->store > 0 || t->records.n <= settings->max_stored
                ? MURK_OK
                : murk_fail(err, MURK_RUN_FAILED, settings->where,
                            "max_stored: more than %llu photons were stored",
                            (unsigned long long)settings->max_stored);
-}
-
-/* The number behind the last photon of the part. */
-static uint64_t photons_end(const tracing *t)
-{
-    if (t->batches == 0) {
-        return 0;
-    }
-    const uint64_t last =
-        t->shard.number - 1 + (t->batches - 1) * t->shard.count;
-    const uint64_t end = (last + 1) * MURK_BATCH_PHOTONS;
-    return end < photons_max(t) ? end : photons_max(t);
 }
 
 static murk_status write_part(const tracing *t, const char *path,
@@ -160,10 +147,11 @@ static murk_status write_part(const tracing *t, const char *path,
     if (t->tallies) {
         murk_tallies_read_sums(t->tallies, word);
     }
-    murk_light_part_facts f = {.batches = t->batches,
-                               .end = photons_end(t),
-                               .number = t->shard.number,
-                               .count = t->shard.count};
+    murk_light_part_facts f = {
+        .batches = t->batches,
+        .end = murk_light_part_end(photons_max(t), t->shard, t->batches),
+        .number = t->shard.number,
+        .count = t->shard.count};
     snprintf(f.version, sizeof f.version, "%s", MURK_VERSION);
     const murk_vec3 origin = scene->origin;
     const murk_section sections[] = {

@@ -174,9 +174,11 @@ murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
     const murk_vec3 wider = murk_vec(slack, slack, slack);
     within.min = murk_sub(within.min, wider);
     within.max = murk_add(within.max, wider);
+    const bool is_dark = murk_sources_lit(stage->lights) == 0;
     for (size_t i = 0; i < n; ++i) {
-        const char *flaw =
-            flaw_of(&photon[i], is_volume, emitted, packet_w, stage, &within);
+        const char *flaw = is_dark ? "records of a scene without light"
+                                   : flaw_of(&photon[i], is_volume, emitted,
+                                             packet_w, stage, &within);
         if (flaw) {
             return impossible(path, is_volume ? "volume" : "surface", flaw,
                               err);

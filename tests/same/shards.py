@@ -1,4 +1,4 @@
-"""Parts of a trace (--shard K/N), merged by murk merge, give every file of a single run, byte by byte but for `run`: for
+"""Parts of a trace (--shard K/N), merged by murk merge, give every file of a single run (JSON: all values) but `run`: for
 1 to 7 parts, in any order, repeated, missing, with several numbers of threads. Parts that do not belong together are
 refused in one line, and nothing is written then.
 
@@ -74,6 +74,7 @@ def parts_are_the_run(folder, run):
         check(ran.stderr == "" or "missing" not in ran.stderr, f"{n} parts: {ran.stderr}")
         same(whole, merged, f"{run} of {n} parts")
         if n > 2:
+            shutil.rmtree(merged)
             ran = done("merge", *parts[:1], *parts[2:], "-o", merged, "-j", "1")
             check(f"1 of {n} parts are missing (2)" in ran.stderr, f"the missing part is named: {ran.stderr}")
             same(whole, merged, f"{run} of {n} parts without the second")
@@ -126,6 +127,25 @@ def others_are_refused(folder):
     refused(folder, [first, spoilt], os.path.join(spoilt, "light.part"))
 
 
+def hostile_parts_are_refused(folder):
+    good = part(folder, 1, 1, ["scenes/slab.yaml", "--emit", "2000"])
+    with open(os.path.join(good, "part.txt"), encoding="utf-8") as file:
+        head = "".join(file.readlines()[:3])
+    hostile = os.path.join(folder, "hostile")
+    shutil.copytree(good, hostile)
+    for words in (["--version"], ["--help"], ["trace", "--man"], ["place", "scenes/slab.yaml"], ["--completion", "bash"],
+                  ["trace", "scenes/slab.yaml", "--shard", "1/1", "-o", "x"], ["merge", good], []):
+        with open(os.path.join(hostile, "part.txt"), "w", encoding="utf-8") as file:
+            file.write(head + "".join(f"word {word}\n" for word in words))
+        refused(folder, [hostile])
+    # "--" among the words, and a line break, which is refused before anything is traced
+    dashes = os.path.join(folder, "dashes")
+    done("trace", "--emit", "2000", "--shard", "1/1", "-o", dashes, "-q", "--", "scenes/slab.yaml")
+    done("merge", dashes, "-o", os.path.join(folder, "from-dashes"), "-q")
+    ran = murk("trace", "scenes/slab.yaml", "--set", "title=a\nb", "--shard", "1/1", "-o", os.path.join(folder, "no"))
+    check(ran.returncode == 2 and not os.path.exists(os.path.join(folder, "no")), f"a line break: {ran.stderr}")
+
+
 def files_of_others_stay(folder):
     run = ["trace", "scenes/slab.yaml", "--emit", "1000", "--shard", "1/2", "-o"]
     mine = os.path.join(folder, "mine")
@@ -163,6 +183,7 @@ with tempfile.TemporaryDirectory() as top:
         os.mkdir(os.path.join(others, name))
     others_are_refused(others)
     files_of_others_stay(others)
+    hostile_parts_are_refused(others)
     wrong_options()
 print("shards:", f"{failures} failures" if failures else "all as it should be")
 sys.exit(failures > 0)

@@ -6,6 +6,7 @@
 #include "check.h"
 #include "lightmap/light_part_trace.h"
 #include "lightmap/lightmap.h"
+#include "photonmap/map_file.h"
 #include "stage_text.h"
 
 #include <stdlib.h>
@@ -201,6 +202,47 @@ static void test_other_parts_are_refused(void)
     stage_text_destroy(other);
 }
 
+/* Writes a good part with 8 bytes of one section replaced, and checks that it
+ * is refused with the text. */
+static void check_forged(const murk_stage *stage, const char *name, size_t at,
+                         int64_t value, const char *mention)
+{
+    murk_section *sections = NULL;
+    size_t n = 0;
+    murk_error err = {0};
+    const char *good = path_of(1, 1), *forged = path_of(2, 2);
+    CHECK(!murk_map_file_read(&sections, &n, good, &err));
+    for (size_t i = 0; i < n; ++i) {
+        if (strcmp(sections[i].name, name) == 0) {
+            CHECK(at + sizeof value <= sections[i].size);
+            memcpy((char *)sections[i].bytes + at, &value, sizeof value);
+        }
+    }
+    CHECK(!murk_map_file_write(forged, sections, n, &err));
+    murk_map_file_release(sections, n);
+    err = refusal(stage, &forged, 1);
+    CHECK_MENTIONS(err.text, mention);
+}
+
+/* Contents that no run can have written, in files that are whole. */
+static void test_forged_parts_are_refused(void)
+{
+    murk_stage *stage = stage_text_create(text, by_few);
+    write_parts(stage, 1);
+    check_forged(stage, "part", 0, 3, "other batches than those of the shard");
+    check_forged(stage, "part", 0, INT64_MAX, "other batches than those");
+    check_forged(stage, "part", 8, 1499, "other batches than those");
+    check_forged(stage, "part", 16, 2, "\"part\" is missing");
+    check_forged(stage, "part", 24, 'x', "made by murk x");
+    check_forged(stage, "counts", 0, -1, "records are missing");
+    check_forged(stage, "records", 24, 7, "records of other photons");
+    check_forged(stage, "records", 0, -1, "a position outside the domain");
+    check_forged(stage, "ledger", 0, -1, "sums that no photons have");
+    check_forged(stage, "ledger", 8, INT64_MAX, "sums that no photons have");
+    check_forged(stage, "ledger", 0, 0, "what no run can have written");
+    stage_text_destroy(stage);
+}
+
 int main(void)
 {
     static const uint32_t counts[] = {1, 2, 3, 7};
@@ -212,5 +254,6 @@ int main(void)
     test_parts_are_the_whole(by_many, counts + 3, 1);
     test_parts_are_the_whole(no_maps, counts, 4);
     test_other_parts_are_refused();
+    test_forged_parts_are_refused();
     return check_done();
 }
