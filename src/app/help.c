@@ -14,9 +14,9 @@
 
 const char murk_help_about[] =
     "murk simulates light in fog, smoke, rain and water, and places sensors in "
-    "it. Photons leave the lamps, meet surfaces and media, and are kept in a "
-    "surface and a volume photon map; SPOQ finds the sensors that see the most "
-    "of them, each weighted by occlusion and attenuation.";
+    "it. Photons meet surfaces and media and are stored in photon maps; SPOQ "
+    "finds the sensors that see the most of them through occlusion and "
+    "attenuation.";
 
 const char murk_help_messages[] =
     "An error is one line on standard error: \"murk: FILE:LINE:COLUMN: KEY: "
