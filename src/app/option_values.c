@@ -184,7 +184,7 @@ murk_status murk_option_shard(murk_options *out, const char *name,
     uint64_t number = 0, count = 0;
     char text[32];
     const size_t length = strcspn(value, "/");
-    const bool has_both = value[length] == '/' && length < sizeof text;
+    const bool has_both = length < sizeof text && value[length] == '/';
     snprintf(text, sizeof text, "%.*s", (int)(has_both ? length : 0), value);
     if (!has_both || !murk_count_parse(text, &number) ||
         !murk_count_parse(value + length + 1, &count) || number < 1 ||

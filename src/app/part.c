@@ -93,7 +93,7 @@ murk_status murk_part_begin(const murk_options *options, murk_error *err)
 
 murk_status murk_part_end(const murk_options *options, murk_error *err)
 {
-    char *path = NULL, *text = NULL, version[VERSION_SIZE];
+    char *path = NULL, *text = NULL, version[VERSION_SIZE] = "";
     size_t size = 0;
     FILE *to = open_memstream(&text, &size);
     murk_status status =
@@ -137,7 +137,7 @@ static char *next_line(char **at)
 murk_status murk_part_read(char ***argv, int *argc, char **text,
                            const char *folder, murk_error *err)
 {
-    char *path = NULL, version[VERSION_SIZE];
+    char *path = NULL, version[VERSION_SIZE] = "";
     size_t size = 0;
     murk_status status = murk_part_path(&path, folder, MURK_PART_FILE, err);
     if (!status) {

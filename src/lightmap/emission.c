@@ -84,7 +84,7 @@ static void trace_missing(const murk_emission *e, murk_trace *trace)
     const uint64_t first = trace->first / MURK_BATCH_PHOTONS;
     const uint64_t end =
         (trace->last + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
-    uint64_t missing[MURK_WAVE_BATCHES];
+    uint64_t missing[MURK_WAVE_BATCHES] = {0};
     size_t n = 0;
     for (uint64_t b = first; b < end; ++b) {
         if (!murk_light_parts_batch(e->parts, b, NULL, NULL)) {

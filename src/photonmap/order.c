@@ -120,7 +120,7 @@ static void sort_leaf(murk_photon *photons, size_t n)
 {
     uint64_t key[MURK_LEAF];
     uint32_t place[MURK_LEAF] = {0};
-    murk_photon sorted[MURK_LEAF];
+    murk_photon sorted[MURK_LEAF] = {{{0}, 0, 0, 0, 0, 0, 0, 0, 0}};
     for (size_t i = 0; i < n; ++i) {
         /* by x, then by the bytes of y */
         key[i] = (uint64_t)coordinate_number(photons[i].position_m[0]) << 32 |
