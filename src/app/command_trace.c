@@ -3,30 +3,24 @@
 #include "app/given.h"
 #include "app/part.h"
 #include "app/show.h"
-#include "base/print.h"
 
 #include <stdlib.h>
+
+/* light.part begins with the mark of light.murk. */
+static const murk_part_result light_part = {"light.part", "\x8dmurk"};
 
 /* Traces a part of the light, and writes the part. */
 static murk_status trace_part(murk_world *world, const murk_options *options,
                               murk_error *err)
 {
     char *path = NULL;
-    murk_status status = murk_part_begin(options, err);
-    if (!status) {
-        status = murk_part_path(&path, options->out, MURK_PART_LIGHT, err);
-    }
+    murk_status status = murk_part_begin(&path, options, &light_part, err);
     if (!status) {
         status = murk_light_trace_part(world, options->shard.number,
                                        options->shard.count, path, err);
     }
     if (!status) {
         status = murk_part_end(options, err);
-    }
-    if (!status && murk_shows_summary(options)) {
-        murk_print("part        %u of %u, in %s: murk merge puts the parts "
-                   "together\n",
-                   options->shard.number, options->shard.count, options->out);
     }
     free(path);
     return status;
@@ -39,22 +33,14 @@ static murk_status make_light(murk_light **out, murk_world *world,
     if (!options->merges) {
         return murk_light_trace(out, world, err);
     }
-    const murk_words_given *folders = &options->merges->inputs;
-    char **path = calloc(folders->n, sizeof *path);
+    char **paths = NULL;
     murk_status status =
-        path ? MURK_OK : murk_no_memory(err, "", "for the parts");
-    for (size_t i = 0; i < folders->n && !status; ++i) {
-        status =
-            murk_part_path(&path[i], folders->word[i], MURK_PART_LIGHT, err);
-    }
+        murk_part_paths(&paths, options, light_part.name, err);
     if (!status) {
-        status = murk_light_merge(out, world, (const char *const *)path,
-                                  folders->n, err);
+        status = murk_light_merge(out, world, (const char *const *)paths,
+                                  options->merges->inputs.n, err);
     }
-    for (size_t i = 0; path && i < folders->n; ++i) {
-        free(path[i]);
-    }
-    free(path);
+    murk_part_paths_release(paths, options);
     return status;
 }
 

@@ -5,7 +5,9 @@
 
 #include "app/field.h"
 #include "app/lookup.h"
+#include "app/show.h"
 #include "base/file.h"
+#include "base/print.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,9 +20,6 @@
 /* A version with the commit. */
 #define VERSION_SIZE 128
 
-/* light.part begins with the mark of light.murk. */
-static const char light_mark[] = {(char)0x8d, 'm', 'u', 'r', 'k'};
-
 murk_status murk_part_path(char **out, const char *folder, const char *name,
                            murk_error *err)
 {
@@ -31,6 +30,27 @@ murk_status murk_part_path(char **out, const char *folder, const char *name,
     }
     snprintf(*out, size, "%s/%s", folder, name);
     return MURK_OK;
+}
+
+murk_status murk_part_paths(char ***out, const murk_options *options,
+                            const char *name, murk_error *err)
+{
+    const murk_words_given *folders = &options->merges->inputs;
+    *out = calloc(folders->n + 1, sizeof **out);
+    murk_status status =
+        *out ? MURK_OK : murk_no_memory(err, "", "for the parts");
+    for (size_t i = 0; i < folders->n && !status; ++i) {
+        status = murk_part_path(&(*out)[i], folders->word[i], name, err);
+    }
+    return status;
+}
+
+void murk_part_paths_release(char **paths, const murk_options *options)
+{
+    for (size_t i = 0; paths && i < options->merges->inputs.n; ++i) {
+        free(paths[i]);
+    }
+    free(paths);
 }
 
 /* The version and commit of this program, as parts state them. */
@@ -46,33 +66,24 @@ static murk_status version_now(char out[VERSION_SIZE], murk_error *err)
     return status;
 }
 
-static murk_status check_owner(const murk_options *options, const char *name,
-                               const char *mark, size_t size, murk_error *err)
+/* Fails if murk did not write the file, which begins with the mark, and --force
+ * is not given. */
+static murk_status check_owner(char **path, const murk_options *options,
+                               const murk_part_result *file, murk_error *err)
 {
-    char *path = NULL;
-    murk_status status = murk_part_path(&path, options->out, name, err);
-    if (!status) {
-        status = murk_file_check_owner(path, mark, size, options->force, err);
-    }
-    free(path);
-    return status;
-}
-
-/* Removes an old part.txt, so that a part that is not complete has none. */
-static murk_status remove_old(const murk_options *options, murk_error *err)
-{
-    char *path = NULL;
     const murk_status status =
-        murk_part_path(&path, options->out, MURK_PART_FILE, err);
-    if (!status) {
-        (void)remove(path);
-    }
-    free(path);
-    return status;
+        murk_part_path(path, options->out, file->name, err);
+    return status ? status
+                  : murk_file_check_owner(*path, file->mark, strlen(file->mark),
+                                          options->force, err);
 }
 
-murk_status murk_part_begin(const murk_options *options, murk_error *err)
+murk_status murk_part_begin(char **path, const murk_options *options,
+                            const murk_part_result *result, murk_error *err)
 {
+    static const murk_part_result part = {MURK_PART_FILE, MARK};
+    char *facts = NULL;
+    *path = NULL;
     for (size_t i = 0; i < options->repeated.n; ++i) {
         if (strchr(options->repeated.word[i], '\n')) {
             return murk_fail(err, MURK_BAD_VALUE, "--shard",
@@ -82,13 +93,19 @@ murk_status murk_part_begin(const murk_options *options, murk_error *err)
     }
     murk_status status = murk_folder_make(options->out, err);
     if (!status) {
-        status = check_owner(options, MURK_PART_FILE, MARK, strlen(MARK), err);
+        status = check_owner(&facts, options, &part, err);
     }
     if (!status) {
-        status = check_owner(options, MURK_PART_LIGHT, light_mark,
-                             sizeof light_mark, err);
+        status = check_owner(path, options, result, err);
     }
-    return status ? status : remove_old(options, err);
+    if (!status) { /* a part that is not complete has no part.txt */
+        (void)remove(facts);
+    } else {
+        free(*path);
+        *path = NULL;
+    }
+    free(facts);
+    return status;
 }
 
 murk_status murk_part_end(const murk_options *options, murk_error *err)
@@ -118,6 +135,11 @@ murk_status murk_part_end(const murk_options *options, murk_error *err)
     }
     free(path);
     free(text);
+    if (!status && murk_shows_summary(options)) {
+        murk_print("part        %u of %u, in %s: murk merge puts the parts "
+                   "together\n",
+                   options->shard.number, options->shard.count, options->out);
+    }
     return status;
 }
 
