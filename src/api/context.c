@@ -120,6 +120,7 @@ murk_status murk_context_create(murk_context **out,
     /* Set up the host. */
     host->importing = importing[context->options.imports];
     host->reader = context->reader;
+    host->ranks = murk_host_now()->ranks;
     murk_call call = murk_call_begin(context, NULL, error);
     murk_inputs_begin();
     murk_log_to(context->options.log, context->options.user);

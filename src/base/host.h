@@ -42,7 +42,8 @@ typedef struct murk_host {
                                * was begun, or there was no memory for one:
                                * base/inputs.h */
     atomic_bool inputs_are_full;
-    struct murk_progress_bar *bar; /* base/progress.h */
+    struct murk_progress_bar *bar;  /* base/progress.h */
+    const struct murk_ranks *ranks; /* base/ranks.h; NULL: one process */
     murk_importing importing;
     const char *reader; /* path of the program murk-reader, beside which
                          * murk-rows lies; NULL: those beside the library */

@@ -3,6 +3,7 @@
 #include "base/interrupt.h"
 
 #include "base/host.h"
+#include "base/ranks.h"
 
 bool murk_interrupted(void)
 {
@@ -24,8 +25,10 @@ void murk_interrupt_request(void)
 
 void murk_finish_allow(bool is_allowed)
 {
-    atomic_store(&murk_host_now()->finish,
-                 is_allowed ? MURK_FINISH_ALLOWED : MURK_FINISH_REFUSED);
+    /* Ranks would finish at different points. */
+    atomic_store(&murk_host_now()->finish, is_allowed && murk_ranks_count() == 1
+                                               ? MURK_FINISH_ALLOWED
+                                               : MURK_FINISH_REFUSED);
 }
 
 /* Changes the state `from` to the state `to`; false if the state is another. */

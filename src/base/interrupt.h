@@ -36,7 +36,8 @@ typedef enum murk_finish_state {
 } murk_finish_state;
 
 /* Whether searches of the host of the calling thread may be asked to finish
- * from now on. Either value forgets a request. */
+ * from now on; with ranks (base/ranks.h) they never are. Either value forgets a
+ * request. */
 void murk_finish_allow(bool is_allowed);
 
 /* A search of the host begins and ends. The second function returns true if a

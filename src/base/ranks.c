@@ -1,0 +1,138 @@
+/* The functions of base/ranks.h over the table of the host of the calling
+ * thread. */
+#include "base/ranks.h"
+
+#include "base/host.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+unsigned murk_ranks_count(void)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    return ranks ? ranks->count : 1;
+}
+
+unsigned murk_ranks_number(void)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    return ranks ? ranks->number : 0;
+}
+
+unsigned murk_ranks_threads(void)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    return ranks ? ranks->threads : 0;
+}
+
+const murk_ranks *murk_ranks_leave(void)
+{
+    murk_host *host = murk_host_now();
+    const murk_ranks *ranks = host->ranks;
+    host->ranks = NULL;
+    return ranks;
+}
+
+void murk_ranks_return(const murk_ranks *ranks)
+{
+    murk_host_now()->ranks = ranks;
+}
+
+murk_status murk_ranks_agree(murk_status status, murk_error *err)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    return ranks ? ranks->agree(ranks->context, status, err) : status;
+}
+
+murk_status murk_ranks_sum(uint64_t *word, size_t n, bool is_128,
+                           murk_status status, murk_error *err)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    status = murk_ranks_agree(status, err);
+    if (!status && ranks) {
+        ranks->sum(ranks->context, word, n, is_128);
+    }
+    return status;
+}
+
+/* Each bit is 0 in all ranks but one, so the sum of words has no carry. */
+murk_status murk_ranks_complete(void *array, size_t bytes, murk_status status,
+                                murk_error *err)
+{
+    if (murk_ranks_count() == 1) {
+        return status;
+    }
+    const size_t words = (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t);
+    uint64_t *word = status ? NULL : calloc(words + 1, sizeof *word);
+    if (!status && !word) {
+        status = murk_no_memory(err, "", "to exchange results");
+    }
+    if (!status && bytes > 0) {
+        memcpy(word, array, bytes);
+    }
+    status = murk_ranks_sum(word, words, false, status, err);
+    if (!status && bytes > 0) {
+        memcpy(array, word, bytes);
+    }
+    free(word);
+    return status;
+}
+
+murk_status murk_ranks_gather(murk_gathered *out, const void *bytes,
+                              size_t size, murk_status status, murk_error *err)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    const size_t count = murk_ranks_count();
+    *out = (murk_gathered){.begin = calloc(count + 1, sizeof *out->begin)};
+    uint64_t *sizes = calloc(count + 1, sizeof *sizes);
+    if (!status && (!sizes || !out->begin)) {
+        status = murk_no_memory(err, "", "to exchange results");
+    }
+    /* The sizes, then the bytes. */
+    status = murk_ranks_agree(status, err);
+    if (!status) {
+        sizes[0] = size;
+        if (ranks) {
+            ranks->sizes(ranks->context, size, sizes);
+        }
+        for (size_t r = 0; r < count; ++r) {
+            out->begin[r + 1] = out->begin[r] + sizes[r];
+        }
+        out->bytes = malloc(out->begin[count] + 1);
+        if (!out->bytes) {
+            status = murk_no_memory(err, "", "to exchange results");
+        }
+        status = murk_ranks_agree(status, err);
+    }
+    if (!status && ranks) {
+        ranks->gather(ranks->context, bytes, out->bytes, sizes);
+    } else if (!status && size > 0) {
+        memcpy(out->bytes, bytes, size);
+    }
+    free(sizes);
+    return status;
+}
+
+void murk_gathered_release(murk_gathered *gathered)
+{
+    free(gathered->bytes);
+    free(gathered->begin);
+    *gathered = (murk_gathered){0};
+}
+
+murk_status murk_ranks_deal(murk_deal *out, murk_status status, murk_error *err)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    *out = (murk_deal){0};
+    status = murk_ranks_agree(status, err);
+    if (!status && ranks) {
+        ranks->restart(ranks->context);
+    }
+    return status;
+}
+
+uint64_t murk_ranks_take(murk_deal *deal)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    return ranks ? ranks->next(ranks->context) : deal->next++;
+}

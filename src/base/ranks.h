@@ -1,0 +1,111 @@
+/* Ranks: several processes that run the same computation on the same input,
+ * divide its long loops among them, and exchange what each has computed. So
+ * all ranks have the same values afterwards, and each goes on as a single
+ * process would. The program murk-mpi provides the functions of murk_ranks by
+ * MPI; without them there is one rank.
+ *
+ * Only whole numbers are added, and everything else is exchanged as bytes in
+ * an order that does not depend on ranks. So no result depends on the number of
+ * ranks.
+ *
+ * The functions below murk_ranks are collective unless their comment says
+ * otherwise: every rank calls the same ones in the same order, from the thread
+ * that works for the host. Each of them takes the status of the caller so far.
+ * If a rank has failed, the call fails in all ranks, with the failure of the
+ * first rank that has, and so does every later call. */
+#ifndef MURK_BASE_RANKS_H
+#define MURK_BASE_RANKS_H
+
+#include "base/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct murk_ranks {
+    unsigned number; /* 0 .. count - 1; rank 0 prints and writes files */
+    unsigned count;
+    unsigned threads; /* that a rank has processors for */
+    void *context;    /* passed to the functions */
+    /* Collective: passes *err of the first rank whose status is not MURK_OK to
+     * all ranks, and returns the status of that rank. */
+    murk_status (*agree)(void *context, murk_status status, murk_error *err);
+    /* Collective: adds word[n] of all ranks, modulo 2^64, or modulo 2^128 if
+     * is_128, where two successive words are a number, the low half first. */
+    void (*sum)(void *context, uint64_t *word, size_t n, bool is_128);
+    /* Collective: size[count] receives the sizes of the bytes of all ranks. */
+    void (*sizes)(void *context, uint64_t mine, uint64_t *size);
+    /* Collective: `all` receives the bytes of all ranks, of these sizes, in the
+     * order of the ranks. */
+    void (*gather)(void *context, const void *bytes, void *all,
+                   const uint64_t *size);
+    /* The next number of a counter that all ranks share, from 0; restart() is
+     * collective. */
+    uint64_t (*next)(void *context);
+    void (*restart)(void *context);
+} murk_ranks;
+
+/* Of the host of the calling thread; not collective. */
+unsigned murk_ranks_count(void); /* 1 without ranks */
+unsigned murk_ranks_number(void);
+unsigned murk_ranks_threads(void); /* 0 without ranks */
+
+/* Items that are dealt to ranks in turn: how many of n items are those of this
+ * rank, the number of the k-th of them, and whether an item is one of them. Not
+ * collective. */
+static inline uint64_t murk_ranks_share(uint64_t n)
+{
+    const uint64_t count = murk_ranks_count();
+    return n / count + (murk_ranks_number() < n % count);
+}
+static inline uint64_t murk_ranks_item(uint64_t k)
+{
+    return k * murk_ranks_count() + murk_ranks_number();
+}
+static inline bool murk_ranks_owns(uint64_t item)
+{
+    return item % murk_ranks_count() == murk_ranks_number();
+}
+
+/* From here on the host computes as a single process: for work that is dealt
+ * out to ranks as a whole. murk_ranks_return() ends this, with what
+ * murk_ranks_leave() returned. Not collective. */
+const murk_ranks *murk_ranks_leave(void);
+void murk_ranks_return(const murk_ranks *ranks);
+
+/* Returns `status`, or the failure of another rank. */
+murk_status murk_ranks_agree(murk_status status, murk_error *err);
+
+/* Adds the words of all ranks; see murk_ranks.sum. */
+murk_status murk_ranks_sum(uint64_t *word, size_t n, bool is_128,
+                           murk_status status, murk_error *err);
+
+/* Completes an array of which each rank has filled a part of its own and left
+ * the rest 0. */
+murk_status murk_ranks_complete(void *array, size_t bytes, murk_status status,
+                                murk_error *err);
+
+/* What all ranks gave, in the order of the ranks: rank r gave the bytes from
+ * begin[r] to begin[r + 1]. Release also after a failure. */
+typedef struct murk_gathered {
+    char *bytes;
+    uint64_t *begin; /* [ranks + 1] */
+} murk_gathered;
+
+murk_status murk_ranks_gather(murk_gathered *out, const void *bytes,
+                              size_t size, murk_status status, murk_error *err);
+void murk_gathered_release(murk_gathered *gathered);
+
+/* Deals items out: murk_ranks_take() gives the next item for this rank, or a
+ * number of items or more if none is left. murk_ranks_take() is not collective.
+ * Which rank takes which item depends on chance, so items must not depend on
+ * each other. */
+typedef struct murk_deal {
+    uint64_t next; /* without ranks */
+} murk_deal;
+
+murk_status murk_ranks_deal(murk_deal *out, murk_status status,
+                            murk_error *err);
+uint64_t murk_ranks_take(murk_deal *deal);
+
+#endif
