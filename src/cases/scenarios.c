@@ -74,6 +74,15 @@ static bool get_part(void *context, unsigned worker, size_t candidate,
     return true;
 }
 
+static void list_counters(void *context, murk_counters *list)
+{
+    const murk_scenarios *j = context;
+    for (size_t c = 0; c < j->blocks.n; ++c) {
+        const murk_problem *part = &j->part[c].problem;
+        part->list_counters(part->context, list);
+    }
+}
+
 /* The largest sum of weights per unit of share at which the sum of all weights
  * and the largest single weight stay in range. whole[c] is the sum of the
  * unscaled weights of block c. */
@@ -165,6 +174,7 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     j->problem.get_row = get_row;
     j->problem.get_part = get_part;
     j->problem.rest = NULL;
+    j->problem.list_counters = list_counters;
     j->problem.context = j;
     murk_status status = MURK_OK;
     if (j->problem.photons > UINT32_MAX) {

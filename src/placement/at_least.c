@@ -71,6 +71,7 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
     out->problem.get_row = binary_row;
     out->problem.get_part = NULL;
     out->problem.rest = rest;
+    out->problem.list_counters = NULL;
     out->problem.context = out;
     out->problem.combining = MURK_COMBINE_CLEAREST;
     out->problem.redundancy = at_least;

@@ -12,8 +12,10 @@
 #include "base/machine.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "base/ranks.h"
 #include "base/tally.h"
 #include "placement/merge.h"
+#include "placement/row_exchange.h"
 
 #include <assert.h>
 #include <math.h>
@@ -60,7 +62,7 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
     }
     murk_sparse_row entries;
     f->problem->get_row(f->problem->context, worker, (size_t)batch, &entries);
-    if (f->hash) {
+    if (f->hash && murk_row_is_own((size_t)batch)) {
         murk_merge_hash(f->hash, (size_t)batch, &entries);
     }
     if (!murk_row_store(row, &f->matrix->layout, &entries)) {
@@ -71,6 +73,12 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
         murk_tally_add(&f->rows, 1);
     }
     murk_progress_add(1);
+}
+
+/* Fills row k of this rank. */
+static void fill_own(void *context, unsigned worker, uint64_t k)
+{
+    fill_row(context, worker, murk_ranks_item(k));
 }
 
 /* Fills row k of the sample. Multiples of the golden ratio spread the sample
@@ -155,6 +163,68 @@ static murk_status check_rows(const fill_task *f, murk_error *err)
     return murk_row_space_check(f->matrix->space, err);
 }
 
+/* Counters of work, and their values when ranks begin to divide the work. */
+typedef struct work_count {
+    murk_counters list;
+    int64_t before[MURK_COUNTERS_MAX];
+} work_count;
+
+static work_count begin_work(const murk_problem *problem)
+{
+    work_count w = {.list = {.n = 0}};
+    if (problem->list_counters) {
+        problem->list_counters(problem->context, &w.list);
+    }
+    for (size_t i = 0; i < w.list.n; ++i) {
+        w.before[i] = murk_tally_read(w.list.counter[i]);
+    }
+    return w;
+}
+
+/* Adds the work of the other ranks to the counters. */
+static murk_status add_work(const work_count *w, murk_status status,
+                            murk_error *err)
+{
+    uint64_t work[MURK_COUNTERS_MAX];
+    const size_t n = w->list.n;
+    for (size_t i = 0; i < n; ++i) {
+        work[i] =
+            (uint64_t)(murk_tally_read(w->list.counter[i]) - w->before[i]);
+    }
+    status = murk_ranks_sum(work, n, false, status, err);
+    for (size_t i = 0; i < n && !status; ++i) {
+        const int64_t now = murk_tally_read(w->list.counter[i]);
+        murk_tally_add(w->list.counter[i],
+                       w->before[i] + (int64_t)work[i] - now);
+    }
+    return status;
+}
+
+/* Gives all ranks the rows and the hashes of the columns that the others have
+ * computed. */
+static murk_status exchange(fill_task *f, murk_status status, murk_error *err)
+{
+    murk_matrix *matrix = f->matrix;
+    uint64_t *sum = NULL;
+    const size_t photons = f->hash ? f->problem->photons : 0;
+    status = murk_row_exchange(matrix->row, matrix->candidates, matrix->space,
+                               (size_t)max_possible(&matrix->layout, 1), status,
+                               err);
+    if (photons > 0 && !status) {
+        sum = malloc(photons * sizeof *sum);
+        status = sum ? MURK_OK : murk_no_memory(err, "", "to merge photons");
+    }
+    for (size_t i = 0; i < photons && !status; ++i) {
+        sum[i] = f->hash[i];
+    }
+    status = murk_ranks_sum(sum, photons, false, status, err);
+    for (size_t i = 0; i < photons && !status; ++i) {
+        f->hash[i] = sum[i];
+    }
+    free(sum);
+    return status;
+}
+
 /* Asks for all rows. */
 static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
                         bool may_exceed, _Atomic uint64_t *hash,
@@ -166,8 +236,10 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
     if (may_exceed && problem->candidates > 0) {
         status = forecast(&f, err);
     }
+    const work_count work = begin_work(problem);
     if (!status) {
-        murk_pool_run_workers(problem->threads, problem->candidates, fill_row,
+        murk_pool_run_workers(problem->threads,
+                              murk_ranks_share(problem->candidates), fill_own,
                               &f);
     }
     murk_progress_end();
@@ -176,6 +248,10 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
     }
     status = status ? status : murk_interrupt_check(err);
     status = status ? status : check_rows(&f, err);
+    if (murk_ranks_count() > 1) {
+        status = add_work(&work, status, err);
+        status = exchange(&f, status, err);
+    }
     if (status) {
         return status;
     }

@@ -16,6 +16,7 @@
 
 #include "base/detection.h"
 #include "base/status.h"
+#include "base/tally.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -66,6 +67,15 @@ static inline murk_combining murk_combining_of(murk_detection detection)
 /* A chosen limit: memory of covers and time grow in proportion. */
 #define MURK_REDUNDANCY_MAX 16
 
+/* Counters of work, which ranks (base/ranks.h) add when they divide the rows.
+ */
+#define MURK_COUNTERS_MAX 512
+
+typedef struct murk_counters {
+    murk_tally *counter[MURK_COUNTERS_MAX]; /* [n] */
+    size_t n;
+} murk_counters;
+
 typedef struct murk_problem {
     size_t photons, candidates;
     const uint32_t
@@ -84,6 +94,9 @@ typedef struct murk_problem {
      * rows need. Rows may be asked for afterwards. NULL: there is nothing to
      * give back. */
     void (*rest)(void *context);
+    /* Adds the counters of the work of get_row() to the list, MURK_COUNTERS_MAX
+     * at most. NULL: nothing is counted. */
+    void (*list_counters)(void *context, murk_counters *list);
     void *context;
     unsigned threads;
     bool is_reweighed; /* the matrix will get other weights

@@ -63,6 +63,7 @@ murk_status murk_row_cache_init(murk_row_cache *out, const murk_problem *source,
     out->problem.get_row = get_row;
     out->problem.get_part = NULL;
     out->problem.rest = NULL;
+    out->problem.list_counters = NULL;
     out->problem.context = out;
     out->cached = calloc(source->candidates + 1, sizeof *out->cached);
     return out->cached ? MURK_OK

@@ -310,6 +310,18 @@ static void rest(void *context)
     murk_sight_rest(p->sight);
 }
 
+static void list_counters(void *context, murk_counters *list)
+{
+    const murk_sight_problem *p = context;
+    murk_sight *sight = p->sight;
+    murk_tally *const counter[] = {&sight->queries, &sight->shadow_rays,
+                                   &sight->blocked_by_interfaces,
+                                   &sight->totally_reflected};
+    for (size_t i = 0; i < sizeof counter / sizeof *counter; ++i) {
+        list->counter[list->n++] = counter[i];
+    }
+}
+
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_pose *pose, size_t n)
 {
@@ -321,6 +333,7 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                                   .get_row = get_row,
                                   .get_part = get_part,
                                   .rest = rest,
+                                  .list_counters = list_counters,
                                   .context = out,
                                   .threads = sight->desc.threads,
                                   .combining = sight->desc.combining,

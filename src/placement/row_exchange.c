@@ -1,0 +1,154 @@
+/* Exchanges rows between ranks in portions of bounded size. A row is sent as a
+ * head, with the distances of its arrays from the begin of its block, and the
+ * block. */
+#include "placement/row_exchange.h"
+
+#include "base/interrupt.h"
+#include "base/ranks.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Bytes that all ranks together exchange at a time, unless a single row of each
+ * rank is longer. */
+#define PORTION (UINT64_C(1) << 26)
+
+enum { BITS, AT, SEGMENT_START, CLARITY, SLOT, ARRAYS };
+
+#define ABSENT UINT64_MAX
+
+typedef struct row_head {
+    uint64_t candidate, kind, seen, words, bytes;
+    uint64_t array[ARRAYS]; /* distance from the begin of the block; ABSENT */
+} row_head;
+
+bool murk_row_is_own(size_t candidate)
+{
+    return murk_ranks_owns(candidate);
+}
+
+static uint64_t distance(const murk_row *row, const void *array)
+{
+    return array ? (uint64_t)((const char *)array - (const char *)row->memory)
+                 : ABSENT;
+}
+
+static const void *array_of(const row_head *head, int array, const void *block)
+{
+    return head->array[array] == ABSENT
+               ? NULL
+               : (const char *)block + head->array[array];
+}
+
+/* Packs the rows of this rank among [begin, end). *bytes: for free(). */
+static murk_status pack(char **bytes, size_t *size, const murk_row *row,
+                        size_t begin, size_t end, murk_error *err)
+{
+    *size = 0;
+    for (size_t j = begin; j < end; ++j) {
+        *size +=
+            murk_row_is_own(j) ? sizeof(row_head) + row[j].memory_bytes : 0;
+    }
+    char *at = *bytes = malloc(*size + 1);
+    if (!at) {
+        return murk_no_memory(err, "", "to exchange the coverage matrix");
+    }
+    for (size_t j = begin; j < end; ++j) {
+        const murk_row *r = &row[j];
+        if (!murk_row_is_own(j)) {
+            continue;
+        }
+        const row_head head = {
+            .candidate = j,
+            .kind = r->kind,
+            .seen = r->seen,
+            .words = r->words,
+            .bytes = r->memory_bytes,
+            .array = {distance(r, r->bits), distance(r, r->at),
+                      distance(r, r->segment_start), distance(r, r->clarity),
+                      distance(r, r->slot)}};
+        memcpy(at, &head, sizeof head);
+        at += sizeof head;
+        if (r->memory_bytes) {
+            memcpy(at, r->memory, r->memory_bytes);
+        }
+        at += r->memory_bytes;
+    }
+    return MURK_OK;
+}
+
+/* Stores a row that was received. */
+static murk_status store(murk_row *row, const row_head *head, const char *block,
+                         murk_row_space *space, murk_error *err)
+{
+    void *memory = murk_aligned_zeros(head->bytes);
+    if (!memory) {
+        return murk_no_memory(err, "", "for the coverage matrix");
+    }
+    if (head->bytes) {
+        memcpy(memory, block, head->bytes);
+    }
+    *row = (murk_row){.kind = (murk_row_kind)head->kind,
+                      .seen = head->seen,
+                      .words = head->words,
+                      .bits = array_of(head, BITS, memory),
+                      .at = array_of(head, AT, memory),
+                      .segment_start = array_of(head, SEGMENT_START, memory),
+                      .clarity = array_of(head, CLARITY, memory),
+                      .slot = array_of(head, SLOT, memory),
+                      .memory = memory,
+                      .memory_bytes = head->bytes};
+    return murk_row_space_keep(space, row) ? MURK_OK
+                                           : murk_row_space_check(space, err);
+}
+
+/* Stores the rows that are missing here. */
+static murk_status unpack(murk_row *row, const murk_gathered *all,
+                          murk_row_space *space, murk_error *err)
+{
+    const char *at = all->bytes;
+    const char *end = all->bytes + all->begin[murk_ranks_count()];
+    murk_status status = MURK_OK;
+    while (at < end && !status) {
+        row_head head;
+        memcpy(&head, at, sizeof head);
+        at += sizeof head;
+        if (!row[head.candidate].memory) {
+            status = store(&row[head.candidate], &head, at, space, err);
+        }
+        at += head.bytes;
+    }
+    return status;
+}
+
+murk_status murk_row_exchange(murk_row *row, size_t candidates,
+                              murk_row_space *space, size_t row_bytes,
+                              murk_status status, murk_error *err)
+{
+    const uint64_t rows = PORTION / (row_bytes + sizeof(row_head));
+    const size_t step =
+        rows > murk_ranks_count() ? (size_t)rows : murk_ranks_count();
+    for (size_t begin = 0; begin < candidates; begin += step) {
+        const size_t end =
+            candidates - begin < step ? candidates : begin + step;
+        char *bytes = NULL;
+        size_t size = 0;
+        murk_gathered all = {NULL};
+        if (!status) {
+            status = murk_interrupt_check(err);
+        }
+        if (!status) {
+            status = pack(&bytes, &size, row, begin, end, err);
+        }
+        status = murk_ranks_gather(&all, bytes, size, status, err);
+        if (!status) {
+            status = unpack(row, &all, space, err);
+        }
+        murk_gathered_release(&all);
+        free(bytes);
+        if (status) {
+            break;
+        }
+    }
+    return status;
+}
