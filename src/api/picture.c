@@ -3,6 +3,7 @@
 #include "api/picture_options.h"
 #include "api/save.h"
 
+#include "base/ranks.h"
 #include "pictures/results.h"
 
 #include <stdlib.h>
@@ -214,9 +215,11 @@ static murk_status write_images(murk_image_files *files, const wanted *of,
             murk_images_name(files, of->path, &images, facts.scene,
                              viewpoint->sensors > 0, options->replaces, err);
     }
-    return status ? status
-                  : murk_images_write(files, picture->rendering.image, &facts,
-                                      err);
+    /* Rank 0 writes (base/ranks.h). */
+    return status || murk_ranks_number() > 0
+               ? status
+               : murk_images_write(files, picture->rendering.image, &facts,
+                                   err);
 }
 
 /* A murk_save_work; of: a wanted. */

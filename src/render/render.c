@@ -11,6 +11,7 @@
 #include "base/interrupt.h"
 #include "base/pool.h"
 #include "base/progress.h"
+#include "base/ranks.h"
 #include "render/colour.h"
 #include "render/pooled_errors.h"
 
@@ -375,6 +376,38 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
     return status;
 }
 
+/* A job: the tiles are dealt to ranks in turn. */
+static void render_own_tile(void *context, unsigned worker, uint64_t k)
+{
+    render_tile(context, worker, murk_ranks_item(k));
+}
+
+/* Renders the tiles on all threads of all ranks. */
+static murk_status render_tiles(run *r, size_t tiles, murk_error *err)
+{
+    murk_image *p = r->picture;
+    const size_t pixels = p->width * p->height;
+    murk_pool_run_workers(r->render->threads, murk_ranks_share(tiles),
+                          render_own_tile, r);
+    for (unsigned i = 0; i < r->render->threads; ++i) {
+        p->lost += murk_sampler_lost(r->sampler[i]);
+    }
+    if (murk_ranks_count() == 1) {
+        return MURK_OK;
+    }
+    /* All channels are one piece of memory. */
+    murk_status status = murk_interrupt_check(err);
+    status = murk_ranks_complete(p->radiance[0],
+                                 pixels * channels_of(p->bands) * sizeof(float),
+                                 status, err);
+    status = murk_ranks_complete(
+        r->tile, tiles * (size_t)p->bands * sizeof *r->tile, status, err);
+    if (r->is_lit) {
+        status = murk_ranks_complete(r->is_lit, pixels, status, err);
+    }
+    return murk_ranks_sum(&p->lost, 1, false, status, err);
+}
+
 static void add_up(run *r, size_t tiles)
 {
     murk_image *p = r->picture;
@@ -400,9 +433,6 @@ static void add_up(run *r, size_t tiles)
             n;
     }
     p->rays = (uint64_t)n * r->render->samples * (uint64_t)p->bands;
-    for (unsigned i = 0; i < r->render->threads; ++i) {
-        p->lost += murk_sampler_lost(r->sampler[i]);
-    }
 }
 
 /* Pools the errors of pixels (render/pooled_errors.h) of pictures by paths. By
@@ -440,13 +470,15 @@ murk_status murk_render_run(murk_image **out, const murk_render *render,
     const size_t across = tiles_along(c->width);
     const size_t tiles = across * tiles_along(c->height);
     run r = {.render = render, .tiles_across = across};
-    const murk_status status = set_up(&r, tiles, err);
-    /* Render the tiles on all threads, then sum them up. */
+    murk_status status = set_up(&r, tiles, err);
+    /* Render the tiles, then sum them up. */
     if (!status) {
         murk_progress_begin("render", c->width * c->height * render->samples,
                             "rays");
-        murk_pool_run_workers(render->threads, tiles, render_tile, &r);
+        status = render_tiles(&r, tiles, err);
         murk_progress_end();
+    }
+    if (!status) {
         add_up(&r, tiles);
         if (r.is_lit) {
             pool_errors(&r);

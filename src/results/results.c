@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/inputs.h"
+#include "base/ranks.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -16,6 +17,9 @@ murk_status murk_results_begin(murk_results *results, const char *folder,
                                bool force, murk_error *err)
 {
     struct stat known;
+    if (murk_ranks_number() > 0) {
+        folder = NULL; /* rank 0 writes */
+    }
     *results = (murk_results){.folder = folder,
                               .force = force,
                               .is_new = folder && stat(folder, &known) != 0};

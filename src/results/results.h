@@ -41,7 +41,8 @@ typedef struct murk_results {
  * files that killed runs left in it, except those of a run that was killed
  * while it moved its files into place. To be called before any long work.
  * murk_results_end() removes a new folder again if it is empty. folder NULL:
- * all functions below do nothing and return MURK_OK. `folder` is borrowed.
+ * all functions below do nothing and return MURK_OK; so they do in other ranks
+ * than rank 0 (base/ranks.h). `folder` is borrowed.
  * Fails with MURK_RUN_FAILED or MURK_NO_MEMORY. */
 murk_status murk_results_begin(murk_results *results, const char *folder,
                                bool force, murk_error *err);
