@@ -86,11 +86,11 @@ static murk_status parse(murk_options *out, words *w,
     murk_status status = murk_options_parse(out, argc, argv, err);
     free(argv);
     const murk_option *shard = murk_option_find("--shard", strlen("--shard"));
-    const bool has_parts =
-        !status && out->command && !out->wants_help && !out->wants_version &&
-        !out->wants_man && !out->shard.count &&
-        murk_option_belongs(shard, out->command->name) &&
-        !murk_option_is_given(out, "--completion");
+    const bool has_parts = !status && out->command && !out->wants_help &&
+                           !out->wants_version && !out->wants_man &&
+                           !out->shard.count &&
+                           murk_option_belongs(shard, out->command->name) &&
+                           !murk_option_is_given(out, "--completion");
     if (!status && !has_parts) {
         status = murk_fail(err, MURK_BAD_FILE, options->input,
                            "no part of a command that --shard divides");

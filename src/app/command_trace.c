@@ -34,8 +34,7 @@ static murk_status make_light(murk_light **out, murk_world *world,
         return murk_light_trace(out, world, err);
     }
     char **paths = NULL;
-    murk_status status =
-        murk_part_paths(&paths, options, light_part.name, err);
+    murk_status status = murk_part_paths(&paths, options, light_part.name, err);
     if (!status) {
         status = murk_light_merge(out, world, (const char *const *)paths,
                                   options->merges->inputs.n, err);
