@@ -696,6 +696,17 @@ typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
 murk_status murk_light_trace(murk_light **out, murk_world *world,
                              murk_error *error);
 
+/* The same light, for long traces: every `every_s` seconds (0: never) all that
+ * was traced so far is written to the file `path`, the checkpoint, and the call
+ * goes on from there if an earlier call for the same world left one. The light
+ * is that of murk_light_trace() in every bit. A checkpoint of another world,
+ * and one that is damaged, is not used, with a warning; a checkpoint that
+ * cannot be written is a warning, too. The caller removes the file when the
+ * light is saved. Fails as murk_light_trace(). */
+murk_status murk_light_trace_resume(murk_light **out, murk_world *world,
+                                    const char *path, double every_s,
+                                    murk_error *error);
+
 /* Traces a part of the light of a world, for machines without a common memory,
  * and writes the part to a file: of `count` parts, numbered from 1 to 100000 at
  * most, part `number` has every count-th batch of photons. The parts of a world

@@ -52,7 +52,8 @@ class World:
         """
         return numpy.array([lib.murk_world_band_nm(self.c, i) for i in range(lib.murk_world_bands(self.c))])
 
-    def trace(self, each_batch: Callable[[Batch], object] | None = None) -> Light:
+    def trace(self, each_batch: Callable[[Batch], object] | None = None, checkpoint: Path | None = None,
+              every_s: float = 600) -> Light:
         """Traces the light: Light. Raises Error, and Interrupted if it is cancelled.
 
         each_batch: a function that is called with each Batch of photons while light is traced, in the order of
@@ -60,9 +61,14 @@ class World:
         cancelled and Interrupted is raised; an exception in it cancels the trace and is raised by it. It may call
         `Context.cancel()`, and uses no other object of the context.
 
+        checkpoint: a file to which all that was traced so far is written every `every_s` seconds (0: never), and from
+        which the same call goes on after the program was killed; the caller removes it. Not with each_batch.
+
         Example: `light = world.trace(each_batch=lambda batch: print(batch.number, len(batch.volume)))`.
         """
-        return Light(self, each_batch=each_batch)
+        if checkpoint is not None and each_batch is not None:
+            raise Error("not with each_batch", where="argument checkpoint")
+        return Light(self, each_batch=each_batch, checkpoint=checkpoint, every_s=every_s)
 
     def trace_part(self, number: int, count: int, path: Path) -> None:
         """Traces part `number`, from 1, of `count` parts of the light, and writes the part to a file.
@@ -278,7 +284,7 @@ class Light:
 
     def __init__(self, world: World, path: Path | None = None,
                  each_batch: Callable[[Batch], object] | None = None,
-                 parts: Sequence[Path] | None = None) -> None:
+                 parts: Sequence[Path] | None = None, checkpoint: Path | None = None, every_s: float = 0) -> None:
         self.world = world
         self.context = world.context
         out = ffi.new("murk_light **")
@@ -288,6 +294,8 @@ class Light:
         elif parts is not None:
             texts = [c_text(part) for part in parts]  # live as long as the call
             call_long(self.context, lib.murk_light_merge, out, world.c, ffi.new("const char *[]", texts), len(texts))
+        elif checkpoint is not None:
+            call_long(self.context, lib.murk_light_trace_resume, out, world.c, c_text(checkpoint), every_s)
         elif path is None:
             call_long(self.context, lib.murk_light_trace, out, world.c)
         else:

@@ -57,19 +57,25 @@ static murk_status receive(void *context, const murk_record_batch *records,
                      : MURK_OK;
 }
 
-/* The files of parts. */
-typedef struct part_files {
-    const char *const *path; /* [n] */
-    size_t n;
-} part_files;
+/* Where light comes from: a file, files of parts, a trace with checkpoints, or
+ * a trace whose batches a function of the caller receives. If all are NULL,
+ * light is traced. */
+typedef struct light_source {
+    const char *file;
+    const char *const *part; /* [parts] */
+    size_t parts;
+    const char *checkpoint;
+    double checkpoint_every_s;
+    receiver *batches;
+} light_source;
 
-static murk_status merge_parts(murk_light *light, const part_files *files,
+static murk_status merge_parts(murk_light *light, const light_source *from,
                                murk_error *err)
 {
     const murk_world *world = light->world;
     murk_light_parts *parts = NULL;
-    murk_status status =
-        murk_light_parts_read(&parts, files->path, files->n, world->stage, err);
+    murk_status status = murk_light_parts_read(&parts, from->part, from->parts,
+                                               world->stage, err);
     if (!status) {
         status = murk_lightmap_merge(&light->session.traced, world->stage,
                                      parts, world->context->threads, err);
@@ -78,28 +84,31 @@ static murk_status merge_parts(murk_light *light, const part_files *files,
     return status;
 }
 
-/* If `path` is not NULL, reads the light from that file; if `parts` is not
- * NULL, merges them. Otherwise traces the light, and hands each batch to
- * `batches` unless `batches` is NULL. */
+static murk_status fill(murk_light *light, const light_source *from,
+                        murk_error *err)
+{
+    murk_traced **out = &light->session.traced;
+    const murk_stage *stage = light->world->stage;
+    const unsigned threads = light->world->context->threads;
+    return from->file   ? read_light(light, from->file, err)
+           : from->part ? merge_parts(light, from, err)
+           : from->checkpoint
+               ? murk_lightmap_resume(out, stage, threads, from->checkpoint,
+                                      from->checkpoint_every_s, err)
+           : from->batches ? murk_lightmap_stream(out, stage, threads, receive,
+                                                  from->batches, err)
+                           : murk_lightmap_trace(out, stage, 0, threads, err);
+}
+
 static murk_status light_make(murk_light **out, murk_world *world,
-                              const char *path, const part_files *parts,
-                              receiver *batches, murk_error *error)
+                              const light_source *from, murk_error *error)
 {
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    const murk_status built = murk_world_build(world, &call.failure);
-    murk_light *light = built ? NULL : make(world);
-    const unsigned threads = world->context->threads;
-    /* Read the file, or trace with or without a receiver of batches. */
-    murk_status status =
-        built    ? built
-        : !light ? MURK_NO_MEMORY
-        : path   ? read_light(light, path, &call.failure)
-        : parts  ? merge_parts(light, parts, &call.failure)
-        : batches
-            ? murk_lightmap_stream(&light->session.traced, world->stage,
-                                   threads, receive, batches, &call.failure)
-            : murk_lightmap_trace(&light->session.traced, world->stage, 0,
-                                  threads, &call.failure);
+    murk_status status = murk_world_build(world, &call.failure);
+    murk_light *light = status ? NULL : make(world);
+    if (!status) {
+        status = light ? fill(light, from, &call.failure) : MURK_NO_MEMORY;
+    }
     status = murk_call_end_long(&call, status);
     if (status) {
         murk_light_release(light);
@@ -117,8 +126,26 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
     if (out) {
         *out = NULL;
     }
-    return out && world ? light_make(out, world, NULL, NULL, NULL, error)
+    const light_source from = {.file = NULL};
+    return out && world ? light_make(out, world, &from, error)
                         : murk_call_refuse(error, "out or world is NULL");
+}
+
+murk_status murk_light_trace_resume(murk_light **out, murk_world *world,
+                                    const char *path, double every_s,
+                                    murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!(every_s >= 0)) {
+        return murk_call_refuse(error, "every_s is below 0");
+    }
+    const light_source from = {.checkpoint = path,
+                               .checkpoint_every_s = every_s};
+    return out && world && path
+               ? light_make(out, world, &from, error)
+               : murk_call_refuse(error, "out, world or path is NULL");
 }
 
 murk_status murk_light_stream(murk_light **out, murk_world *world,
@@ -132,7 +159,8 @@ murk_status murk_light_stream(murk_light **out, murk_world *world,
         return murk_call_refuse(error, "out, world or each is NULL");
     }
     receiver batches = {each, user, world->desc};
-    return light_make(out, world, NULL, NULL, &batches, error);
+    const light_source from = {.batches = &batches};
+    return light_make(out, world, &from, error);
 }
 
 murk_status murk_light_merge(murk_light **out, murk_world *world,
@@ -146,9 +174,9 @@ murk_status murk_light_merge(murk_light **out, murk_world *world,
     for (size_t i = 0; has_paths && i < n; ++i) {
         has_paths = path[i] != NULL;
     }
-    const part_files parts = {path, n};
+    const light_source from = {.part = path, .parts = n};
     return out && world && has_paths
-               ? light_make(out, world, NULL, &parts, NULL, error)
+               ? light_make(out, world, &from, error)
                : murk_call_refuse(error, "out, world or a path is NULL");
 }
 
@@ -190,8 +218,9 @@ murk_status murk_light_read(murk_light **out, murk_world *world,
     if (out) {
         *out = NULL;
     }
+    const light_source from = {.file = path};
     return out && world && path
-               ? light_make(out, world, path, NULL, NULL, error)
+               ? light_make(out, world, &from, error)
                : murk_call_refuse(error, "out, world or path is NULL");
 }
 

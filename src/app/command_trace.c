@@ -3,6 +3,10 @@
 #include "app/given.h"
 #include "app/part.h"
 #include "app/show.h"
+#include "base/file.h"
+
+#include <stdlib.h>
+#include <string.h>
 
 #include <stdlib.h>
 
@@ -26,10 +30,37 @@ static murk_status trace_part(murk_world *world, const murk_options *options,
     return status;
 }
 
-/* The light, from parts or traced. */
+/* Seconds between two checkpoints, if none are given. */
+#define CHECKPOINT_S 600
+
+/* *path: the file of checkpoints, for free(); NULL without a folder. Fails if
+ * the file there is not of murk. */
+static murk_status name_checkpoint(char **path, const murk_options *options,
+                                   murk_error *err)
+{
+    *path = NULL;
+    if (!options->out || options->merges) {
+        return MURK_OK;
+    }
+    const murk_status status =
+        murk_part_path(path, options->out, "checkpoint.part", err);
+    return status ? status
+                  : murk_file_check_owner(*path, light_part.mark,
+                                          strlen(light_part.mark),
+                                          options->force, err);
+}
+
+/* The light, from parts or traced, with checkpoints if there is a folder. */
 static murk_status make_light(murk_light **out, murk_world *world,
+                              const char *checkpoint,
                               const murk_options *options, murk_error *err)
 {
+    if (checkpoint) {
+        const uint64_t every_s =
+            murk_option_number(options, "--checkpoint", CHECKPOINT_S);
+        return murk_light_trace_resume(out, world, checkpoint, (double)every_s,
+                                       err);
+    }
     if (!options->merges) {
         return murk_light_trace(out, world, err);
     }
@@ -48,6 +79,7 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     murk_scene *scene = NULL;
     murk_world *world = NULL;
     murk_light *light = NULL;
+    char *checkpoint = NULL;
     murk_given_save save = {.exports = NULL};
     const murk_fields *saved = NULL;
     /* Make the world, and check all that can be refused before light is
@@ -69,14 +101,21 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
         status = murk_world_check_save(world, "trace", 0, options->out,
                                        &save.options, err);
     }
+    if (!status) {
+        status = name_checkpoint(&checkpoint, options, err);
+    }
     /* The light and its files. */
     if (!status) {
-        status = make_light(&light, world, options, err);
+        status = make_light(&light, world, checkpoint, options, err);
     }
     if (!status) { /* if an export alone fails, the light is saved */
         status =
             murk_light_save(light, options->out, &save.options, &saved, err);
     }
+    if (saved && checkpoint) {
+        (void)remove(checkpoint);
+    }
+    free(checkpoint);
     murk_show(options, saved);
     murk_light_destroy(light);
     murk_world_destroy(world);

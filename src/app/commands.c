@@ -46,7 +46,9 @@ const murk_command murk_commands[] = {
                  {"murk trace scenes/smoke-hall.yaml --emit 1e5 -o out",
                   "Light to keep, for place, sense and render --light "
                   "out/light.murk."}},
-     .file = {LIGHT_FILES, FIELD_FILES}},
+     .file = {LIGHT_FILES,
+              {"checkpoint.part", "while a long trace runs, to go on from"},
+              FIELD_FILES}},
     {"place", "SCENE|--matrix FILE [-o DIR]",
      "the main job: trace, sense, place sensors",
      "Traces, finds which candidate sees which stored photon and how clearly, "

@@ -77,6 +77,11 @@ const murk_option murk_option_table[] = {
      "and how far the plan (that of the first seed) may be from the best; "
      "repeat.csv has a row a seed",
      COUNT(1, 10000), .setting = "runs", .part = MURK_OPTION_AS_TEXT},
+    {"--checkpoint", NULL, "S", "trace",
+     "with -o: write all that was traced so far to DIR/checkpoint.part every S "
+     "seconds, from which the same command goes on if it was killed; 0 writes "
+     "none; default: 600",
+     COUNT(0, 1000000), .setting = "every_s", .is_left_out = true},
     {"--shard", NULL, "K/N", "trace",
      "do part K of N of the work, on this machine, and write the part into DIR "
      "(-o); murk merge puts the parts together to the results of a single run",

@@ -66,13 +66,13 @@ static double chance(size_t n, double q, size_t k)
                (all - in) * log1p(-q));
 }
 
-murk_ranks murk_quantile_ranks(size_t n, double q, double miss)
+murk_order_statistics murk_quantile_ranks(size_t n, double q, double miss)
 {
     assert(n >= 1 && q > 0 && q < 1 && miss > 0);
     /* The factor just below 1 prevents that rounding of a whole q n upwards
      * raises the rank. */
     const double middle = ceil(q * (double)n * (1 - 0x1p-51));
-    murk_ranks ranks = {.value = middle < 1 ? 1 : (size_t)middle};
+    murk_order_statistics ranks = {.value = middle < 1 ? 1 : (size_t)middle};
     /* The number at rank r lies above the quantile if fewer than r numbers lie
      * below the quantile, and below it if at least r do. */
     double below = 0; /* P(K < k) */

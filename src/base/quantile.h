@@ -14,17 +14,17 @@ double murk_student_upper(double p, size_t degrees);
 void murk_sort(double *x, size_t n);
 
 /* Ranks in a sample of n numbers in rising order, 1..n. */
-typedef struct murk_ranks {
+typedef struct murk_order_statistics {
     size_t value;        /* estimates the quantile: the smallest rank with a
                           * share of at least q of the sample at or below it */
     size_t lower, upper; /* the ends of a confidence interval of the quantile;
                           * 0: n is too small for a limit on that side */
-} murk_ranks;
+} murk_order_statistics;
 
 /* Ranks for the q-quantile, 0 < q < 1, of the distribution from which the n >=
  * 1 independent numbers are drawn. Each limit is wrong with a probability of at
  * most `miss`, by the binomial distribution of the count of numbers below the
  * quantile (Conover, Practical Nonparametric Statistics, 1999, ch. 3.2). */
-murk_ranks murk_quantile_ranks(size_t n, double q, double miss);
+murk_order_statistics murk_quantile_ranks(size_t n, double q, double miss);
 
 #endif

@@ -12,10 +12,10 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/ranks.h"
+#include "lightmap/checkpoint.h"
+#include "lightmap/rank_exchange.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const murk_scene_photons *settings_of(const murk_emission *e)
 {
@@ -81,196 +81,74 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
     murk_trace_run(&trace, e->ledger);
 }
 
-/* The number of the first batch of a wave, and the number behind the last. */
-static uint64_t first_batch(const murk_trace *wave)
-{
-    return wave->first / MURK_BATCH_PHOTONS;
-}
-
-static uint64_t end_batch(const murk_trace *wave)
-{
-    return (wave->last + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
-}
-
-/* Takes the batches of a wave from parts, and traces the others. Buffer b of
- * the wave has the records of batch first + b. */
-static void trace_missing(const murk_emission *e, murk_trace *trace)
-{
-    const uint64_t first = first_batch(trace), end = end_batch(trace);
-    uint64_t missing[MURK_WAVE_BATCHES] = {0};
-    size_t n = 0;
-    for (uint64_t b = first; b < end; ++b) {
-        if (!murk_light_parts_batch(e->parts, b, NULL, NULL)) {
-            missing[n++] = b;
-        }
-    }
-    trace->batch = missing;
-    trace->batches = n;
-    murk_trace_run(trace, e->ledger);
-    /* Missing batch k lies in buffer k, which is at or before its own place. */
-    for (size_t k = n; k-- > 0;) {
-        murk_record_buffers_swap(e->buffers, k, (size_t)(missing[k] - first));
-    }
-    for (uint64_t b = first; b < end; ++b) {
-        const murk_photon *records;
-        size_t count;
-        if (murk_light_parts_batch(e->parts, b, &records, &count)) {
-            murk_record_buffers_fill(e->buffers, (size_t)(b - first), records,
-                                     count);
-        }
-    }
-}
-
 /* True if the ranks divide the batches of each wave. Records alone can be
  * exchanged, so emissions with sinks of their own are traced by every rank. */
 static bool is_divided(const murk_emission *e)
 {
-    return murk_ranks_count() > 1 && e->buffers && !e->sink && !e->parts;
+    return murk_ranks_count() > 1 && e->buffers && !e->sink;
 }
 
-/* Packs the records of the batches first, first + step, ... of this wave: the
- * number of records of each batch, then the records. *bytes: for free(). */
-static murk_status pack_batches(char **bytes, size_t *size,
-                                const murk_record_buffers *buffers,
-                                size_t first, size_t step, size_t batches,
-                                murk_error *err)
+/* Sorts the records of each batch by photon, if the trace gave them in any
+ * order. */
+static void sort_records(const murk_emission *e, const murk_trace *trace)
 {
-    uint64_t count[MURK_WAVE_BATCHES];
-    size_t n = 0, records = 0;
-    /* The numbers of records. */
-    for (size_t b = first; b < batches; b += step) {
-        if (buffers->buffer[b].is_short_of_memory) {
-            return murk_no_memory(err, buffers->settings->where,
-                                  "for the records of a wave");
-        }
-        count[n++] = buffers->buffer[b].n;
-        records += buffers->buffer[b].n;
-    }
-    *size = n * sizeof *count + records * sizeof(murk_photon);
-    char *at = *bytes = malloc(*size + 1);
-    if (!at) {
-        return murk_no_memory(err, buffers->settings->where,
-                              "for the records of a wave");
-    }
-    memcpy(at, count, n * sizeof *count);
-    at += n * sizeof *count;
-    /* The records. */
-    for (size_t b = first; b < batches; b += step) {
-        const murk_record_list *list = &buffers->buffer[b];
-        if (list->n) {
-            memcpy(at, list->photon, list->n * sizeof *list->photon);
-        }
-        at += list->n * sizeof *list->photon;
-    }
-    return MURK_OK;
-}
-
-/* Fills the same batches with packed records. */
-static void unpack_batches(murk_record_buffers *buffers, const char *bytes,
-                           size_t first, size_t step, size_t batches)
-{
-    const char *counts = bytes, *at = bytes;
-    for (size_t b = first; b < batches; b += step) {
-        at += sizeof(uint64_t);
-    }
-    for (size_t b = first; b < batches; b += step) {
-        uint64_t n;
-        memcpy(&n, counts, sizeof n);
-        counts += sizeof n;
-        murk_record_buffers_fill(buffers, b, (const void *)at, n);
-        at += n * sizeof(murk_photon);
-    }
-}
-
-/* Traces every count-th batch of a wave, and exchanges the records with the
- * other ranks. */
-static murk_status trace_share(const murk_emission *e, murk_trace *trace,
-                               murk_error *err)
-{
-    const size_t number = murk_ranks_number(), count = murk_ranks_count();
-    const uint64_t first = first_batch(trace), end = end_batch(trace);
-    const size_t batches = (size_t)(end - first);
-    uint64_t own[MURK_WAVE_BATCHES] = {0};
-    size_t n = 0, size = 0;
-    char *bytes = NULL;
-    murk_gathered all = {NULL};
-    for (uint64_t b = first + number; b < end; b += count) {
-        own[n++] = b;
-    }
-    trace->batch = own;
-    trace->batches = n;
-    murk_trace_run(trace, e->ledger);
-    /* Own batch k lies in buffer k, which is at or before its own place. */
-    for (size_t k = n; k-- > 0;) {
-        murk_record_buffers_swap(e->buffers, k, (size_t)(own[k] - first));
-    }
     if (trace->takes_any_order) {
         murk_record_buffers_sort(e->buffers, trace->threads);
     }
-    /* Exchange. */
-    murk_status status = murk_interrupt_check(err);
-    if (!status) {
-        status = pack_batches(&bytes, &size, e->buffers, number, count, batches,
-                              err);
-    }
-    status = murk_ranks_gather(&all, bytes, size, status, err);
-    for (size_t r = 0; r < count && !status; ++r) {
-        if (r != number) {
-            unpack_batches(e->buffers, all.bytes + all.begin[r], r, count,
-                           batches);
-        }
-    }
-    murk_gathered_release(&all);
-    free(bytes);
-    return status;
 }
 
-/* Adds what the photons of the other ranks left in ledger and tallies: the sum
- * over all ranks without that of this rank. */
-static murk_status add_ranks(const murk_emission *e, murk_error *err)
+/* Fills the record buffers of a wave: takes batches from parts, traces those of
+ * the others that are dealt to this rank, and receives the rest from the other
+ * ranks. Buffer b of the wave has the records of batch first + b. *is_due
+ * becomes that of rank 0. */
+static murk_status fill_wave(const murk_emission *e, murk_trace *trace,
+                             bool *is_due, murk_error *err)
 {
-    const size_t cells = murk_ledger_cells(e->ledger);
-    const size_t words = e->tallies ? murk_tallies_words(e->tallies) : 0;
-    int64_t *own = calloc(2 * cells + 1, sizeof *own);
-    uint64_t *sums = calloc(2 * words + 1, sizeof *sums);
-    murk_status status = own && sums
-                             ? MURK_OK
-                             : murk_no_memory(err, e->stage->scene->path,
-                                              "to add the sums of all ranks");
-    /* Add copies of the sums. */
-    if (!status) {
-        murk_ledger_read(e->ledger, own);
-        memcpy(own + cells, own, cells * sizeof *own);
-    }
-    if (!status && words) {
-        murk_tallies_read_sums(e->tallies, sums);
-        memcpy(sums + words, sums, words * sizeof *sums);
-    }
-    status = murk_ranks_sum((uint64_t *)own + cells, cells, false, status, err);
-    status = murk_ranks_sum(sums + words, words, true, status, err);
-    /* Add the differences, of numbers of 128 bits with a borrow. */
-    if (!status) {
-        for (size_t i = 0; i < cells; ++i) {
-            own[i] = own[cells + i] - own[i];
+    const uint64_t first = trace->first / MURK_BATCH_PHOTONS;
+    const uint64_t end =
+        (trace->last + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
+    size_t missing[MURK_WAVE_BATCHES] = {0};
+    uint64_t own[MURK_WAVE_BATCHES] = {0};
+    size_t n = 0;
+    for (uint64_t b = first; b < end; ++b) {
+        if (!e->parts || !murk_light_parts_batch(e->parts, b, NULL, NULL)) {
+            missing[n++] = (size_t)(b - first);
         }
-        murk_ledger_add(e->ledger, own);
     }
-    if (!status && words) {
-        for (size_t i = 0; i < words; i += 2) {
-            const bool borrows = sums[words + i] < sums[i];
-            sums[i] = sums[words + i] - sums[i];
-            sums[i + 1] = sums[words + i + 1] - sums[i + 1] - borrows;
+    /* Trace this rank's share of the missing batches. */
+    const size_t share = (size_t)murk_ranks_share(n);
+    for (size_t k = 0; k < share; ++k) {
+        own[k] = first + missing[murk_ranks_item(k)];
+    }
+    trace->batch = own;
+    trace->batches = share;
+    murk_trace_run(trace, e->ledger);
+    /* Own batch k lies in buffer k, which is at or before its own place. */
+    for (size_t k = share; k-- > 0;) {
+        murk_record_buffers_swap(e->buffers, k, (size_t)(own[k] - first));
+    }
+    sort_records(e, trace);
+    const murk_status status = murk_ranks_exchange_records(
+        e->buffers, missing, n, is_due, murk_interrupt_check(err), err);
+    murk_progress_add((n - share) * MURK_BATCH_PHOTONS);
+    /* The batches of parts. */
+    for (uint64_t b = first; b < end && !status; ++b) {
+        const murk_photon *records;
+        size_t count;
+        if (e->parts && murk_light_parts_batch(e->parts, b, &records, &count)) {
+            murk_record_buffers_fill(e->buffers, (size_t)(b - first), records,
+                                     count);
         }
-        murk_tallies_add_sums(e->tallies, sums);
     }
-    free(own);
-    free(sums);
     return status;
 }
 
 /* Removes the batches of parts behind the last wave. */
 static murk_status take_back_parts(const murk_emission *e, murk_error *err)
 {
+    if (is_divided(e) && murk_ranks_number() > 0) {
+        return MURK_OK; /* rank 0 has the sums of the parts */
+    }
     uint64_t b = (e->reached + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
     const uint64_t end = e->parts ? murk_light_parts_end(e->parts) : 0;
     while (b < end && !murk_interrupted()) {
@@ -290,6 +168,26 @@ static murk_status take_back_parts(const murk_emission *e, murk_error *err)
     return murk_interrupt_check(err);
 }
 
+/* Writes a checkpoint behind a wave, unless the parts have later batches, whose
+ * sums are in ledger and tallies already. */
+static murk_status write_checkpoint(const murk_emission *e, murk_status status,
+                                    murk_error *err)
+{
+    const uint64_t batches = e->emitted / MURK_BATCH_PHOTONS;
+    murk_light_sums sums;
+    if (e->parts && murk_light_parts_end(e->parts) > batches) {
+        return status;
+    }
+    status = murk_light_sums_read(&sums, e->ledger, e->tallies, is_divided(e),
+                                  status, err);
+    if (!status && murk_ranks_number() == 0) {
+        murk_checkpoint_write(e->checkpoint, e->stage, e->buffers, &sums,
+                              batches);
+    }
+    murk_light_sums_release(&sums);
+    return status;
+}
+
 /* Traces one wave. Sets *is_done to whether all photons are emitted or `store`
  * is reached. */
 static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
@@ -305,18 +203,15 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     } else {
         murk_record_buffers_receive(e->buffers, &trace);
     }
-    if (is_divided(e)) {
-        const murk_status status = trace_share(e, &trace, err);
+    bool is_due = murk_checkpoint_is_due(e->checkpoint);
+    if (is_divided(e) || e->parts) {
+        const murk_status status = fill_wave(e, &trace, &is_due, err);
         if (status) {
             return status;
         }
-    } else if (e->parts) {
-        trace_missing(e, &trace);
     } else {
         murk_trace_run(&trace, e->ledger);
-    }
-    if (trace.takes_any_order) {
-        murk_record_buffers_sort(e->buffers, trace.threads);
+        sort_records(e, &trace);
     }
     /* Find the photon that reaches `store`, and remove those after it. */
     uint64_t last = UINT64_MAX;
@@ -336,8 +231,13 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     }
     e->emitted = end;
     *is_done = last != UINT64_MAX || end == e->emit;
-    return e->gather ? e->gather(e->gather_context, end - 1, err)
-                     : murk_record_buffers_gather(e->buffers, end - 1, err);
+    murk_status status =
+        e->gather ? e->gather(e->gather_context, end - 1, err)
+                  : murk_record_buffers_gather(e->buffers, end - 1, err);
+    if (e->checkpoint && is_due && !*is_done) {
+        status = write_checkpoint(e, status, err);
+    }
+    return status;
 }
 
 murk_status murk_emission_check(const murk_emission *e, murk_error *err)
@@ -366,10 +266,12 @@ murk_status murk_emission_run(murk_emission *e, murk_error *err)
         }
         status = send_wave(e, &is_done, err);
     }
-    if (!status && is_divided(e)) {
-        status = add_ranks(e, err);
+    if (!status) {
+        status = take_back_parts(e, err);
     }
-    return status ? status : take_back_parts(e, err);
+    return is_divided(e)
+               ? murk_ranks_add_sums(e->ledger, e->tallies, status, err)
+               : status;
 }
 
 murk_status murk_emission_check_losses(const murk_emission *e, murk_error *err)

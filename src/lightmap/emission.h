@@ -42,8 +42,12 @@ typedef struct murk_emission {
 
     const murk_light_parts *parts; /* batches that need not be traced; the sums
                                       of the parts are in ledger and tallies
-                                      already; only with buffers, and without
+                                      already, those of rank 0 if there are
+                                      ranks; only with buffers, and without
                                       sink and gather. NULL: none */
+    struct murk_checkpoint *checkpoint; /* under the same conditions
+                                           (lightmap/checkpoint.h). NULL: none
+                                           is written */
 
     uint64_t emitted; /* photons so far */
     uint64_t reached; /* end of the waves so far: photons from `emitted` on were

@@ -1,4 +1,5 @@
-/* Reads parts of the light of a scene (lightmap/light_part.h). A part is
+/* Writes and reads parts of the light of a scene (lightmap/light_part.h), files
+ * with the container format of light.murk (photonmap/map_file.h). A part is
  * checked as strictly as light.murk, because numbers in records lead to places
  * in arrays. */
 #include "lightmap/light_part.h"
@@ -7,6 +8,7 @@
 #include "base/machine.h"
 #include "base/version.h"
 #include "lightmap/key_check.h"
+#include "lightmap/rank_exchange.h"
 #include "lightmap/store_check.h"
 #include "photonmap/map_file.h"
 #include "world/scene_tallies.h"
@@ -44,6 +46,35 @@ uint64_t murk_light_part_end(uint64_t photons_max, murk_shard shard,
             ? (shard.number + (batches - 1) * shard.count) * MURK_BATCH_PHOTONS
             : 0;
     return end < photons_max ? end : photons_max;
+}
+
+murk_status murk_light_part_write(const char *path,
+                                  const murk_light_part_content *c,
+                                  const murk_stage *stage, murk_error *err)
+{
+    const murk_scene_desc *scene = stage->scene;
+    const uint64_t max = murk_light_photons_max(&scene->photons);
+    murk_light_part_facts f = {
+        .batches = c->batches,
+        .end = murk_light_part_end(max, c->shard, c->batches),
+        .number = c->shard.number,
+        .count = c->shard.count};
+    snprintf(f.version, sizeof f.version, "%s", MURK_VERSION);
+    const murk_vec3 origin = scene->origin;
+    /* What the part belongs to, the sums, and the records. */
+    const murk_light_sums *sums = c->sums;
+    const murk_section sections[] = {
+        murk_section_of("part", &f, sizeof f),
+        murk_section_of("scene", scene->resolved, strlen(scene->resolved)),
+        murk_section_of("key", stage->light_key, strlen(stage->light_key)),
+        murk_section_of("origin_m", &origin, sizeof origin),
+        murk_section_of("ledger", sums->cell, sums->cells * sizeof *sums->cell),
+        murk_section_of("tallies", sums->word,
+                        sums->words * sizeof *sums->word),
+        murk_section_of("counts", c->count, c->batches * sizeof *c->count),
+        murk_section_of("records", c->record, c->records * sizeof *c->record)};
+    return murk_map_file_write(path, sections,
+                               sizeof sections / sizeof *sections, err);
 }
 
 typedef struct part {

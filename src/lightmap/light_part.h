@@ -33,6 +33,21 @@ uint64_t murk_light_part_batches(uint64_t photons_max, murk_shard shard);
 uint64_t murk_light_part_end(uint64_t photons_max, murk_shard shard,
                              uint64_t batches);
 
+/* What a file of a part has. */
+typedef struct murk_light_part_content {
+    murk_shard shard;
+    uint64_t batches;
+    const uint32_t *count;     /* [batches] records of each batch */
+    const murk_photon *record; /* [records] by batch, and by photon in it */
+    size_t records;
+    const struct murk_light_sums *sums; /* lightmap/rank_exchange.h */
+} murk_light_part_content;
+
+/* Writes the file of a part. Fails as murk_map_file_write(). */
+murk_status murk_light_part_write(const char *path,
+                                  const murk_light_part_content *content,
+                                  const murk_stage *stage, murk_error *err);
+
 typedef struct murk_light_parts murk_light_parts;
 
 /* Reads the files of parts. The same part may be given several times. Fails

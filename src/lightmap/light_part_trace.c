@@ -7,15 +7,12 @@
 #include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/progress.h"
-#include "base/version.h"
 #include "lightmap/emission.h"
 #include "lightmap/light_part.h"
-#include "photonmap/map_file.h"
+#include "lightmap/rank_exchange.h"
 #include "world/scene_tallies.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A part that is traced. */
 typedef struct tracing {
@@ -132,44 +129,19 @@ static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
 static murk_status write_part(const tracing *t, const char *path,
                               murk_error *err)
 {
-    const murk_scene_desc *scene = t->stage->scene;
-    const size_t cells = murk_ledger_cells(t->ledger);
-    const size_t words = t->tallies ? murk_tallies_words(t->tallies) : 0;
-    int64_t *cell = malloc(cells * sizeof *cell);
-    uint64_t *word = malloc(words * sizeof *word + 1);
-    murk_status status = MURK_OK;
-    if (!cell || !word) {
-        status = murk_no_memory(err, path, "to write it");
-        goto done;
+    murk_light_sums sums;
+    murk_status status =
+        murk_light_sums_read(&sums, t->ledger, t->tallies, false, MURK_OK, err);
+    if (!status) {
+        const murk_light_part_content content = {.shard = t->shard,
+                                                 .batches = t->batches,
+                                                 .count = t->count,
+                                                 .record = t->records.photon,
+                                                 .records = t->records.n,
+                                                 .sums = &sums};
+        status = murk_light_part_write(path, &content, t->stage, err);
     }
-    /* The sums, and what the part belongs to. */
-    murk_ledger_read(t->ledger, cell);
-    if (t->tallies) {
-        murk_tallies_read_sums(t->tallies, word);
-    }
-    murk_light_part_facts f = {
-        .batches = t->batches,
-        .end = murk_light_part_end(photons_max(t), t->shard, t->batches),
-        .number = t->shard.number,
-        .count = t->shard.count};
-    snprintf(f.version, sizeof f.version, "%s", MURK_VERSION);
-    const murk_vec3 origin = scene->origin;
-    const murk_section sections[] = {
-        murk_section_of("part", &f, sizeof f),
-        murk_section_of("scene", scene->resolved, strlen(scene->resolved)),
-        murk_section_of("key", t->stage->light_key,
-                        strlen(t->stage->light_key)),
-        murk_section_of("origin_m", &origin, sizeof origin),
-        murk_section_of("ledger", cell, cells * sizeof *cell),
-        murk_section_of("tallies", word, words * sizeof *word),
-        murk_section_of("counts", t->count, t->batches * sizeof *t->count),
-        murk_section_of("records", t->records.photon,
-                        t->records.n * sizeof *t->records.photon)};
-    status = murk_map_file_write(path, sections,
-                                 sizeof sections / sizeof *sections, err);
-done:
-    free(cell);
-    free(word);
+    murk_light_sums_release(&sums);
     return status;
 }
 

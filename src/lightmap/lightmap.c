@@ -8,6 +8,8 @@
 #include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/progress.h"
+#include "base/ranks.h"
+#include "lightmap/checkpoint.h"
 #include "lightmap/emission.h"
 #include "lightmap/store_check.h"
 #include "world/scene_tallies.h"
@@ -255,7 +257,8 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
 
 static murk_status trace_light(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads, streaming *s,
-                               const murk_light_parts *parts, murk_error *err)
+                               const murk_light_parts *parts,
+                               murk_checkpoint *checkpoint, murk_error *err)
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
@@ -263,7 +266,8 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
                        .stream = stream,
                        .threads = threads,
                        .emit = settings->emit,
-                       .parts = parts};
+                       .parts = parts,
+                       .checkpoint = checkpoint};
     murk_traced *traced = NULL;
     /* Check before tracing: number of photons, end of light, forecast. */
     murk_status status = murk_emission_check(&e, err);
@@ -304,7 +308,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         goto done;
     }
     /* Trace what no part has. */
-    if (parts) {
+    if (parts && murk_ranks_number() == 0) {
         murk_light_parts_add(parts, e.ledger, e.tallies);
     }
     const double begun_s = murk_clock_s();
@@ -336,7 +340,7 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 murk_error *err)
 {
     streaming none = {.bands = stage->scene->bands};
-    return trace_light(out, stage, stream, threads, &none, NULL, err);
+    return trace_light(out, stage, stream, threads, &none, NULL, NULL, err);
 }
 
 /* Fails with MURK_BAD_FILE if the energies of merged parts cannot be those of a
@@ -363,10 +367,35 @@ murk_status murk_lightmap_merge(murk_traced **out, const murk_stage *stage,
     streaming none = {.bands = stage->scene->bands};
     murk_traced *traced = NULL;
     murk_status status =
-        trace_light(&traced, stage, 0, threads, &none, parts, err);
+        trace_light(&traced, stage, 0, threads, &none, parts, NULL, err);
     if (!status) {
         status = check_merged(traced, stage, err);
     }
+    if (status) {
+        murk_traced_destroy(traced);
+        return status;
+    }
+    *out = traced;
+    return MURK_OK;
+}
+
+murk_status murk_lightmap_resume(murk_traced **out, const murk_stage *stage,
+                                 unsigned threads, const char *path,
+                                 double every_s, murk_error *err)
+{
+    streaming none = {.bands = stage->scene->bands};
+    murk_checkpoint checkpoint = {path, every_s, murk_clock_s()};
+    murk_light_parts *parts = NULL;
+    murk_traced *traced = NULL;
+    murk_status status = murk_checkpoint_read(&parts, path, stage, err);
+    if (!status) {
+        status = trace_light(&traced, stage, 0, threads, &none, parts,
+                             every_s > 0 ? &checkpoint : NULL, err);
+    }
+    if (!status && parts) {
+        status = check_merged(traced, stage, err);
+    }
+    murk_light_parts_destroy(parts);
     if (status) {
         murk_traced_destroy(traced);
         return status;
@@ -381,7 +410,7 @@ murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
 {
     streaming s = {
         .each = each, .context = context, .bands = stage->scene->bands};
-    return trace_light(out, stage, 0, threads, &s, NULL, err);
+    return trace_light(out, stage, 0, threads, &s, NULL, NULL, err);
 }
 
 murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
@@ -394,7 +423,7 @@ murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
                    .bands = stage->scene->bands,
                    .passes = true,
                    .bytes_each = bytes_each};
-    return trace_light(out, stage, stream, threads, &s, NULL, err);
+    return trace_light(out, stage, stream, threads, &s, NULL, NULL, err);
 }
 
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,

@@ -72,6 +72,15 @@ murk_status murk_lightmap_merge(murk_traced **out, const murk_stage *stage,
                                 const murk_light_parts *parts, unsigned threads,
                                 murk_error *err);
 
+/* The light of murk_lightmap_trace() with checkpoints (lightmap/checkpoint.h):
+ * goes on from the file `path`, if an earlier run of the same scene left one
+ * there, and writes the file every `every_s` seconds, never if 0. The caller
+ * removes the file when it has saved the light. Fails also with MURK_BAD_FILE
+ * if the sums of the file cannot be those of a run. */
+murk_status murk_lightmap_resume(murk_traced **out, const murk_stage *stage,
+                                 unsigned threads, const char *path,
+                                 double every_s, murk_error *err);
+
 void murk_traced_destroy(murk_traced *traced); /* NULL is fine */
 
 /* As murk_lightmap_trace(), for stream 0, and calls each(context, batch) for

@@ -209,6 +209,7 @@ murk_mpi *murk_mpi_begin(int *argc, char ***argv)
         MPI_Abort(MPI_COMM_WORLD, 1);
         return NULL;
     }
+    /* The table of functions. */
     mpi->ranks = (murk_ranks){.number = (unsigned)number,
                               .count = (unsigned)count,
                               .threads = threads_for_rank(),
@@ -219,6 +220,7 @@ murk_mpi *murk_mpi_begin(int *argc, char ***argv)
                               .gather = gather,
                               .next = next,
                               .restart = restart};
+    /* Sums of 128 bits, and the thread that deals items out. */
     MPI_Comm_dup(MPI_COMM_WORLD, &mpi->dealing);
     MPI_Op_create(add_128, 1, &mpi->add_128);
     MPI_Type_contiguous(2, MPI_UINT64_T, &mpi->wide);

@@ -53,6 +53,7 @@ static murk_status pack(char **bytes, size_t *size, const murk_row *row,
     if (!at) {
         return murk_no_memory(err, "", "to exchange the coverage matrix");
     }
+    /* The head and the block of each row. */
     for (size_t j = begin; j < end; ++j) {
         const murk_row *r = &row[j];
         if (!murk_row_is_own(j)) {
@@ -134,6 +135,7 @@ murk_status murk_row_exchange(murk_row *row, size_t candidates,
         char *bytes = NULL;
         size_t size = 0;
         murk_gathered all = {NULL};
+        /* Pack, exchange, and store what is missing. */
         if (!status) {
             status = murk_interrupt_check(err);
         }

@@ -144,7 +144,8 @@ murk_status murk_robust_summarise(murk_robust *robust,
         errors += covered[d].standard_error;
     }
     /* Mean with both errors. */
-    const murk_ranks rank = murk_quantile_ranks(draws, QUANTILE, MISS);
+    const murk_order_statistics rank =
+        murk_quantile_ranks(draws, QUANTILE, MISS);
     murk_jittered out = {.draws = draws,
                          .on_held_out = on_held_out,
                          .as_planned = as_planned,

@@ -46,6 +46,8 @@ static int cancel(void *user, murk_batch *batch)
       (&out, g->world, cancel, NULL, &error), "stopped by the function")       \
     X(light, murk_light_read, (&out, g->world, NULL, &error),                  \
       (&out, g->world, "no-such-light.murk", &error), "cannot read")           \
+    X(light, murk_light_trace_resume, (&out, g->world, NULL, 1, &error),       \
+      (&out, g->world, "none.part", -1, &error), "every_s is below 0")         \
     X(light, murk_light_merge, (&out, g->world, NULL, 1, &error),              \
       (&out, g->world, no_parts, 1, &error), "cannot read")                    \
     X(sensors, murk_sensors_read, (&out, g->world, NULL, &error),              \

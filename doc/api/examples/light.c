@@ -88,6 +88,11 @@ int main(void)
            murk_light_count(again, MURK_MAP_VOLUME) == power.shape[0] ? "yes"
                                                                       : "no");
     murk_light_destroy(again);
+    /* A trace that goes on from its last minute if the program was killed. */
+    must(murk_light_trace_resume(&again, world, "checkpoint.part", 60, &error),
+         &error);
+    (void)remove("checkpoint.part");
+    murk_light_destroy(again);
     /* Light in batches; the function of the program cancels. */
     size_t records = 0;
     const murk_status status =

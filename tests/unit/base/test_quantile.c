@@ -39,7 +39,7 @@ static void test_ranks(void)
 {
     const double miss = 0.025;
     for (size_t n = 1; n <= 400; ++n) {
-        const murk_ranks r = murk_quantile_ranks(n, 0.05, miss);
+        const murk_order_statistics r = murk_quantile_ranks(n, 0.05, miss);
         CHECK((double)r.value >= 0.05 * (double)n - 1e-9 &&
               (double)r.value - 1 < 0.05 * (double)n);
         if (r.lower > 0) {
@@ -56,7 +56,7 @@ static void test_ranks(void)
     CHECK(murk_quantile_ranks(71, 0.05, miss).lower == 0);
     CHECK(murk_quantile_ranks(72, 0.05, miss).lower == 1);
     CHECK(murk_quantile_ranks(1, 0.05, miss).upper == 0);
-    const murk_ranks many = murk_quantile_ranks(1000000, 0.05, miss);
+    const murk_order_statistics many = murk_quantile_ranks(1000000, 0.05, miss);
     const double sigma = sqrt(1e6 * 0.05 * 0.95);
     CHECK(many.value == 50000);
     CHECK_NEAR((double)many.lower, 50000 - 1.96 * sigma, 2);

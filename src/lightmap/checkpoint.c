@@ -1,0 +1,117 @@
+/* Writes and reads checkpoints (lightmap/checkpoint.h). The gathered records
+ * lie in two lists, of the surface map and of the volume map; a part has the
+ * records of each batch in the order of photons, so the lists are merged. */
+#include "lightmap/checkpoint.h"
+
+#include "base/file.h"
+#include "base/log.h"
+#include "base/path.h"
+#include "base/progress.h"
+#include "base/ranks.h"
+#include "lightmap/rank_exchange.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+bool murk_checkpoint_is_due(const murk_checkpoint *c)
+{
+    return c && murk_clock_s() - c->last_s >= c->every_s;
+}
+
+/* Merges both lists by photon, and counts the records of each batch. */
+static void merge(murk_photon *record, uint32_t *count,
+                  const murk_record_buffers *buffers)
+{
+    const murk_record_list *a = &buffers->surface, *b = &buffers->volume;
+    size_t i = 0, j = 0;
+    for (size_t k = 0; k < a->n + b->n; ++k) {
+        const bool is_first =
+            j == b->n || (i < a->n && murk_photon_emitted(&a->photon[i]) <=
+                                          murk_photon_emitted(&b->photon[j]));
+        record[k] = is_first ? a->photon[i++] : b->photon[j++];
+        ++count[murk_photon_emitted(&record[k]) / MURK_BATCH_PHOTONS];
+    }
+}
+
+static murk_status make_folder_of(const char *path, murk_error *err)
+{
+    char *folder = strdup(path);
+    if (!folder) {
+        return murk_no_memory(err, path, "for a path");
+    }
+    folder[murk_path_name(path) - path] = '\0';
+    const murk_status status =
+        folder[0] ? murk_folder_make(folder, err) : MURK_OK;
+    free(folder);
+    return status;
+}
+
+void murk_checkpoint_write(murk_checkpoint *c, const murk_stage *stage,
+                           const murk_record_buffers *buffers,
+                           const murk_light_sums *sums, uint64_t batches)
+{
+    const size_t n = buffers->surface.n + buffers->volume.n;
+    murk_error err = {0};
+    murk_photon *record = malloc((n + 1) * sizeof *record);
+    uint32_t *count = calloc(batches + 1, sizeof *count);
+    murk_status status =
+        record && count
+            ? MURK_OK
+            : murk_no_memory(&err, c->path, "for %.3g records", (double)n);
+    /* The folder of the results is made by the first checkpoint. */
+    if (!status) {
+        status = make_folder_of(c->path, &err);
+    }
+    if (!status) {
+        merge(record, count, buffers);
+        const murk_light_part_content content = {.shard = {1, 1},
+                                                 .batches = batches,
+                                                 .count = count,
+                                                 .record = record,
+                                                 .records = n,
+                                                 .sums = sums};
+        status = murk_light_part_write(c->path, &content, stage, &err);
+    }
+    if (status) {
+        murk_warn(err.where, "no checkpoint is written: %s", err.text);
+    }
+    free(record);
+    free(count);
+    c->last_s = murk_clock_s();
+}
+
+murk_status murk_checkpoint_read(murk_light_parts **out, const char *path,
+                                 const murk_stage *stage, murk_error *err)
+{
+    *out = NULL;
+    const bool is_there = access(path, F_OK) == 0 || errno != ENOENT;
+    uint64_t ranks = is_there;
+    murk_status found = murk_ranks_sum(&ranks, 1, false, MURK_OK, err);
+    if (!found && ranks > 0 && ranks < murk_ranks_count()) {
+        found = murk_fail(err, MURK_RUN_FAILED, path,
+                          "%llu of %u ranks see this checkpoint: all must, or "
+                          "none",
+                          (unsigned long long)ranks, murk_ranks_count());
+    }
+    if (found || !is_there) {
+        return found;
+    }
+    murk_error why = {0};
+    const murk_status status =
+        murk_light_parts_read(out, &path, 1, stage, &why);
+    if (status == MURK_NO_MEMORY) {
+        return murk_fail(err, status, why.where, "%s", why.text);
+    }
+    if (status) {
+        murk_warn(why.where,
+                  "this checkpoint is not used, and light is traced from the "
+                  "begin: %s",
+                  why.text);
+    } else {
+        murk_note(path, "%.6g photons of an earlier run go on from here",
+                  (double)murk_light_parts_end(*out) * MURK_BATCH_PHOTONS);
+    }
+    return MURK_OK;
+}
