@@ -51,16 +51,24 @@ static uint64_t photons_max(const murk_emission *e)
     return e->emit ? e->emit : murk_light_photons_max(settings_of(e));
 }
 
-/* Number of photons of the next wave: MURK_WAVE_BATCHES batches, but never more
- * than the remaining photons. With `store`, a wave has only the batches that
- * should produce the missing records plus 2 %. The first wave is one batch with
- * `store`, because the number of records for each photon is not yet known, and
- * if is_first_small is set. */
+/* True if the ranks divide the batches of each wave. Records alone can be
+ * exchanged, so emissions with sinks of their own are traced by every rank. */
+static bool is_divided(const murk_emission *e)
+{
+    return murk_ranks_count() > 1 && e->buffers && !e->sink;
+}
+
+/* Number of photons of the next wave: MURK_WAVE_BATCHES batches for each rank
+ * that divides the wave, but never more than the remaining photons. With
+ * `store`, a wave has only the batches that should produce the missing records
+ * plus 2 %. The first wave is one batch with `store`, because the number of
+ * records for each photon is not yet known, and if is_first_small is set. */
 static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
     const uint64_t left = photons_max(e) - done;
-    double batches = MURK_WAVE_BATCHES;
+    const double ranks = is_divided(e) ? murk_ranks_count() : 1;
+    double batches = fmin(ranks * MURK_WAVE_BATCHES, MURK_WAVE_BATCHES_MAX);
     if (done == 0 && (wanted(e) || e->is_first_small)) {
         batches = 1;
     } else if (wanted(e) && stored(e) > 0) {
@@ -79,13 +87,6 @@ static void take_back(const murk_emission *e, uint64_t first, uint64_t last)
     murk_trace trace = trace_of(e, first, last);
     trace.takes_back = true;
     murk_trace_run(&trace, e->ledger);
-}
-
-/* True if the ranks divide the batches of each wave. Records alone can be
- * exchanged, so emissions with sinks of their own are traced by every rank. */
-static bool is_divided(const murk_emission *e)
-{
-    return murk_ranks_count() > 1 && e->buffers && !e->sink;
 }
 
 /* Sorts the records of each batch by photon, if the trace gave them in any
@@ -107,8 +108,8 @@ static murk_status fill_wave(const murk_emission *e, murk_trace *trace,
     const uint64_t first = trace->first / MURK_BATCH_PHOTONS;
     const uint64_t end =
         (trace->last + MURK_BATCH_PHOTONS - 1) / MURK_BATCH_PHOTONS;
-    size_t missing[MURK_WAVE_BATCHES] = {0};
-    uint64_t own[MURK_WAVE_BATCHES] = {0};
+    size_t missing[MURK_WAVE_BATCHES_MAX] = {0};
+    uint64_t own[MURK_WAVE_BATCHES_MAX] = {0};
     size_t n = 0;
     for (uint64_t b = first; b < end; ++b) {
         if (!e->parts || !murk_light_parts_batch(e->parts, b, NULL, NULL)) {

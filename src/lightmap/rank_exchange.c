@@ -14,7 +14,7 @@ static murk_status pack(char **bytes, size_t *size,
                         const size_t *buffer, size_t n, uint64_t flag,
                         murk_error *err)
 {
-    uint64_t head[MURK_WAVE_BATCHES + 1] = {flag};
+    uint64_t head[MURK_WAVE_BATCHES_MAX + 1] = {flag};
     size_t heads = 1, records = 0;
     bool fits = true;
     /* The numbers of records. */

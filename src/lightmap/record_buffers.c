@@ -70,7 +70,7 @@ murk_record_buffers_create(const murk_scene_photons *settings)
 void murk_record_buffers_destroy(murk_record_buffers *h)
 {
     if (h) {
-        for (size_t i = 0; i < MURK_WAVE_BATCHES; ++i) {
+        for (size_t i = 0; i < MURK_WAVE_BATCHES_MAX; ++i) {
             free(h->buffer[i].photon);
         }
         free(h->surface.photon);
@@ -183,14 +183,14 @@ static void sort_batch(void *context, uint64_t batch)
 
 void murk_record_buffers_sort(murk_record_buffers *h, unsigned threads)
 {
-    murk_pool_run(threads, MURK_WAVE_BATCHES, sort_batch, h);
+    murk_pool_run(threads, MURK_WAVE_BATCHES_MAX, sort_batch, h);
 }
 
 uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
                                        uint64_t wanted)
 {
     uint64_t before = 0;
-    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+    for (size_t b = 0; b < MURK_WAVE_BATCHES_MAX; ++b) {
         const murk_record_list *buffer = &h->buffer[b];
         if (before + buffer->n >= wanted) {
             return murk_photon_emitted(&buffer->photon[wanted - before - 1]);
@@ -253,7 +253,7 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
                                        murk_error *err)
 {
     /* Append the records of each batch and hand the batch over. */
-    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+    for (size_t b = 0; b < MURK_WAVE_BATCHES_MAX; ++b) {
         const size_t n_surface = h->surface.n, n_volume = h->volume.n;
         if (!append(h, &h->buffer[b], last)) {
             return murk_no_memory(err, h->settings->where,

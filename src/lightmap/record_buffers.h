@@ -10,9 +10,11 @@
 #include "scene/scene.h"
 #include "transport/trace.h"
 
-/* Largest number of batches that are traced before the records are counted:
- * enough work for the threads of a large machine */
-#define MURK_WAVE_BATCHES 64
+/* Largest number of batches that are traced before the records are counted: for
+ * one process, enough work for the threads of a large machine; and for all
+ * ranks together */
+#define MURK_WAVE_BATCHES     64
+#define MURK_WAVE_BATCHES_MAX 1024
 
 typedef struct murk_record_list {
     murk_photon *photon;
@@ -43,12 +45,12 @@ typedef struct murk_record_buffers {
     const murk_scene_photons *settings;
     bool keeps_surface, keeps_volume; /* which maps the scene asks for */
     murk_record_list
-        buffer[MURK_WAVE_BATCHES];    /* records of this wave, one buffer for
-                                       * each batch, in the order of events */
-    murk_record_list surface, volume; /* all records gathered so far */
-    uint64_t gathered;                /* batches gathered so far */
-    uint64_t stored;                  /* records gathered so far */
-    murk_record_batch_sink each;      /* may be NULL */
+        buffer[MURK_WAVE_BATCHES_MAX]; /* records of this wave, one buffer for
+                                        * each batch, in the order of events */
+    murk_record_list surface, volume;  /* all records gathered so far */
+    uint64_t gathered;                 /* batches gathered so far */
+    uint64_t stored;                   /* records gathered so far */
+    murk_record_batch_sink each;       /* may be NULL */
     void *each_context;
     bool passes; /* records are dropped after the sink has received them */
 } murk_record_buffers;
