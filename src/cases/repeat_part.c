@@ -184,7 +184,7 @@ murk_status murk_repeat_part_make(const murk_repeat_first *first, size_t asked,
                                   murk_shard shard, unsigned threads,
                                   const char *path, murk_error *err)
 {
-    murk_repeat repeat = {NULL};
+    murk_repeat repeat = {.run = NULL};
     bool *is_left_out = malloc(asked * sizeof *is_left_out);
     murk_status status = is_left_out
                              ? murk_repeat_begin(&repeat, first, asked, err)

@@ -68,6 +68,21 @@ def parts_are_the_run(folder, run, counts):
     check(printed[0] == printed[1] and "repeat  " in printed[0], f"printed by merge: {printed}")
 
 
+def a_seed_that_fails_ends_the_merge(folder):
+    """Seed 11 cannot reach the target: the part of it is not written, and merge ends as the single run does."""
+    run = [scene_in(folder, SMALL), "--target", "0.59", "--seed", "9", "--repeat", "5"]
+    whole, merged, lost = (os.path.join(folder, name) for name in ("whole", "merged", "lost"))
+    first = part(folder, 1, 2, run)
+    ran = [murk("place", *run, "-o", whole, "-q"), murk("place", *run, "--shard", "2/2", "-o", lost),
+           murk("merge", first, "-o", merged, "-q")]
+    check([each.returncode for each in ran] == [2, 2, 2], f"exits: {ran}")
+    check(all("seed 11: target 0.59 cannot be reached" in each.stderr for each in ran), f"seed 11: {ran}")
+    check(os.listdir(lost) == [], f"no part: {os.listdir(lost)}")
+    with open(os.path.join(whole, "repeat.csv"), encoding="utf-8") as file:
+        check(len(file.readlines()) == 3, "a head and two seeds")
+    same(whole, merged, "up to the seed that fails")
+
+
 def nothing_is_repeated_in_the_dark(folder):
     run = [scene_in(folder, SMALL.replace("power_w: 6", "power_w: 0")), "--repeat", "3"]
     whole, merged = os.path.join(folder, "whole"), os.path.join(folder, "merged")
@@ -162,6 +177,7 @@ def main():
         parts_are_the_run(folder("small"), [scene_in(folder("small"), SMALL), "--repeat", "9"], (1, 2, 3, 5, 7))
         parts_are_the_run(folder("over"), [scene_in(folder("over"), SMALL + CONDITIONS), "--repeat", "5"], (3, 7))
         parts_are_the_run(folder("target"), [*ROOM[:-2], "--target", "0.5", "--repeat", "4"], (3,))
+        a_seed_that_fails_ends_the_merge(folder("fails"))
         nothing_is_repeated_in_the_dark(folder("dark"))
         scene = scene_in(folder("others"), SMALL)
         others_are_refused(folder("others"), scene)

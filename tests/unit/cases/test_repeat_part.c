@@ -28,7 +28,7 @@ static const murk_repeat_first first = {.plan = &plan, .stage = &stage};
 /* Runs of any figures; some have none. */
 static murk_repeat make_runs(void)
 {
-    murk_repeat repeat = {NULL};
+    murk_repeat repeat = {.run = NULL};
     CHECK(!murk_repeat_begin(&repeat, &first, ASKED, NULL));
     for (uint32_t i = 1; i < ASKED; ++i) {
         const double x = 1. / (3 + i);
@@ -94,7 +94,7 @@ static void test_runs_come_back(void)
     for (uint32_t count = 1; count <= SHARDS_MAX; ++count) {
         const char *path[SHARDS_MAX + 1];
         bool has_run[ASKED];
-        murk_repeat read = {NULL};
+        murk_repeat read = {.run = NULL};
         murk_error err = {0};
         for (uint32_t k = 0; k < count; ++k) {
             write_part(&repeat, count - k, count);
@@ -123,7 +123,7 @@ static void test_runs_come_back(void)
 static murk_error refusal(const char *const *path, size_t n)
 {
     bool has_run[ASKED];
-    murk_repeat read = {NULL};
+    murk_repeat read = {.run = NULL};
     murk_error err = {0};
     CHECK(read_parts(&read, has_run, path, n, &err) != MURK_OK);
     murk_repeat_release(&read);
@@ -241,7 +241,7 @@ static void test_forged_parts_are_refused(void)
 /* In the dark a part has no runs. */
 static void test_dark(void)
 {
-    murk_repeat repeat = make_runs(), read = {NULL};
+    murk_repeat repeat = make_runs(), read = {.run = NULL};
     const char *path = path_of(1, 3);
     plan.is_dark = true;
     write_part(&repeat, 1, 3);
