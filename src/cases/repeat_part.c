@@ -161,6 +161,7 @@ murk_status murk_repeat_part_write(const murk_repeat *repeat,
     murk_status status =
         run ? make_texts(&t, repeat, first, err)
             : murk_no_memory(err, path, "for %zu runs", repeat->asked);
+    /* Take the runs of the shard, and write the file. */
     if (!status) {
         const size_t from = first_of(first, repeat->asked, shard);
         for (size_t k = 0; k < n; ++k) {
@@ -255,6 +256,8 @@ static murk_status check_owner(const reading *r, const part_file *file,
                          "made by murk %.*s, this is %s",
                          (int)sizeof f->version, f->version, MURK_VERSION);
     }
+    /* The scene, the files that it names, and the plan; then the number of runs
+     * and of parts. */
     murk_status status =
         check_text(file, "scene", r->texts.scene, "scene", err);
     if (!status) {
@@ -304,6 +307,8 @@ static murk_status take_runs(reading *r, const part_file *file, const facts *f,
     if (!runs || runs->size != n * sizeof(stored_run)) {
         return bad_part(file, "other runs than those of the part", err);
     }
+    /* Take each run that is possible, and no other than the one that is there.
+     */
     for (size_t k = 0; k < n; ++k) {
         const size_t i = from + k * shard.count;
         const stored_run *run = (const stored_run *)runs->bytes + k;
