@@ -17,11 +17,11 @@
  * released by murk_<handle>_destroy(), which takes NULL. A handle stays usable
  * after the handles that it was made from are destroyed, so handles may be
  * destroyed in any order. World, light, coverage and picture do not change
- * after they are made; a plan changes by murk_plan_repeat(), a study by
- * murk_study_run() and a fit by murk_fit_run() alone; a scene changes by
- * murk_scene_set(), murk_scene_use_light(), murk_scene_add_mesh(),
- * murk_scene_add_grid() and murk_scene_add_table(), a list of sensors by
- * murk_sensors_add().
+ * after they are made; a plan changes by murk_plan_repeat() and
+ * murk_plan_repeat_merge(), a study by murk_study_run() and a fit by
+ * murk_fit_run() alone; a scene changes by murk_scene_set(),
+ * murk_scene_use_light(), murk_scene_add_mesh(), murk_scene_add_grid() and
+ * murk_scene_add_table(), a list of sensors by murk_sensors_add().
  *
  * Units: metres, watts, 1/m, nanometres, degrees where a name ends in _deg.
  * Directions are unit vectors along the travel of light.
@@ -964,6 +964,27 @@ murk_status murk_plan_sensors(murk_sensors **out, const murk_plan *plan,
  * MURK_INTERRUPTED if the call is cancelled; and as murk_plan_make() if a
  * further plan cannot be made, with MURK_RUN_FAILED for example. */
 murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error);
+
+/* Makes a part of the further plans of murk_plan_repeat(), for machines without
+ * a common memory, and writes the part to a file: of `count` parts, numbered
+ * from 1 to 100000 at most, part `number` has every count-th seed. The plan
+ * itself does not change. Each machine makes the plan first, from the same
+ * scene. If the call fails or is cancelled, nothing is written. Fails as
+ * murk_plan_repeat(), and with MURK_BAD_VALUE if there is no such part. */
+murk_status murk_plan_repeat_part(murk_plan *plan, uint64_t runs,
+                                  uint32_t number, uint32_t count,
+                                  const char *path, murk_error *error);
+
+/* As murk_plan_repeat(), to the same results in every bit, with the further
+ * plans of n files of parts, in any order; a part may be there several times.
+ * Plans of missing parts are made, with a warning. Fails as murk_plan_repeat();
+ * and, before a further plan is made and with a plan that is not repeated, with
+ * MURK_BAD_FILE for a file that is no such part or is damaged, and with
+ * MURK_BAD_VALUE for a part of another scene, plan, number of runs, number of
+ * parts or version of murk, and for parts of one number that differ. */
+murk_status murk_plan_repeat_merge(murk_plan *plan, uint64_t runs,
+                                   const char *const *path, size_t n,
+                                   murk_error *error);
 
 /* Writes the files of murk place to a folder: plan.json, sensors.csv,
  * coverage.csv, scene.resolved.yaml, plan.ply (not in the dark), after

@@ -123,6 +123,35 @@ class Plan(Fielded):
         repeat: Result = self.result["repeat"]
         return repeat
 
+    def repeat_part(self, runs: int, number: int, count: int, path: Path) -> None:
+        """Makes part `number`, from 1, of `count` parts of the further plans of `repeat()`, and writes it to a file.
+
+        For machines without a common memory, each of which makes the plan first: `merge_repeat()` puts the parts
+        together. Raises Error, and Interrupted if it is cancelled; nothing is written then. Source: `murk place
+        --repeat --shard`.
+
+        Example: `plan.repeat_part(21, 2, 4, "repeat-2.part")`.
+        """
+        for name, value in (("number", number), ("count", count)):
+            if not 0 <= value < 2**32:
+                raise Error(f"{value}, must be 1 to 100000", where=f"argument {name}")
+        call_long(self.context, lib.murk_plan_repeat_part, handle_of(self), runs, number, count, c_text(path))
+
+    def merge_repeat(self, runs: int, paths: Sequence[Path]) -> Result:
+        """As `repeat()`, with the further plans of files of `repeat_part()`, in any order: equal in every bit.
+
+        Plans of missing parts are made, with a warning. Raises Error for parts of another scene or plan and for
+        damaged files. Source: `murk merge`.
+
+        Example: `plan.merge_repeat(21, glob.glob("repeat-*.part"))`.
+        """
+        texts = [c_text(path) for path in paths]  # live as long as the call
+        call_long(self.context, lib.murk_plan_repeat_merge, handle_of(self), runs, ffi.new("const char *[]", texts),
+                  len(texts))
+        self.result = result_of(lib.murk_plan_fields, self.c)
+        repeat: Result = self.result["repeat"]
+        return repeat
+
     def save(self, folder: Path, exports: Sequence[str] = (), replace: bool = False) -> None:
         """Writes the files of `murk place` to a folder: plan.json, sensors.csv, coverage.csv, those of the light.
 

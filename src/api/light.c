@@ -188,16 +188,14 @@ murk_status murk_light_trace_part(murk_world *world, uint32_t number,
         return murk_call_refuse(error, "world or path is NULL");
     }
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_status status =
-        number >= 1 && number <= count && count <= MURK_SHARDS_MAX
-            ? murk_world_build(world, &call.failure)
-            : murk_fail(&call.failure, MURK_BAD_VALUE, "shard",
-                        "%u of %u, must be 1 of 1 to %d of %d", number, count,
-                        MURK_SHARDS_MAX, MURK_SHARDS_MAX);
+    const murk_shard shard = {number, count};
+    murk_status status = murk_shard_check(shard, &call.failure);
     if (!status) {
-        status =
-            murk_light_part_trace(world->stage, (murk_shard){number, count},
-                                  world->context->threads, path, &call.failure);
+        status = murk_world_build(world, &call.failure);
+    }
+    if (!status) {
+        status = murk_light_part_trace(
+            world->stage, shard, world->context->threads, path, &call.failure);
     }
     return murk_call_end_long(&call, status);
 }

@@ -5,6 +5,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "cases/repeat_part.h"
 #include "results/plan_files.h"
 #include "results/repeat.h"
 
@@ -160,39 +161,92 @@ void murk_plan_destroy(murk_plan *plan)
 
 /* ---- repeats ---- */
 
-static murk_status repeat(murk_plan *plan, uint64_t runs, murk_error *err)
+/* What a call does with the further runs of a plan: makes them, makes those of
+ * a shard, or takes them from parts. */
+typedef struct repeating {
+    uint64_t runs;
+    murk_shard shard;        /* count 0: not divided */
+    const char *const *path; /* [n]: of the part of the shard, or of all parts
+                              * that are put together */
+    size_t n;
+} repeating;
+
+static murk_status make_runs(murk_plan *plan, const repeating *r,
+                             murk_error *err)
+{
+    const murk_repeat_first first = {
+        &plan->plan, plan->conditions ? NULL : plan->session.stage,
+        plan->conditions};
+    const size_t runs = (size_t)r->runs;
+    const unsigned threads = plan->world->context->threads;
+    if (r->shard.count > 0) { /* the plan stays as it is */
+        return murk_repeat_part_make(&first, runs, r->shard, threads,
+                                     r->path[0], err);
+    }
+    murk_fields_release(&plan->fields);
+    murk_repeat_release(&plan->repeat);
+    return murk_repeat_merge(&plan->repeat, &first, runs, r->path, r->n,
+                             threads, err);
+}
+
+static murk_status repeat(murk_plan *plan, const repeating *r, murk_error *err)
 {
     murk_session session = plan->session;
-    const murk_status status = murk_save_check(&session, "place", runs, err);
+    murk_status status = murk_save_check(&session, "place", r->runs, err);
     murk_results_end(&session.results);
+    if (!status && r->shard.count > 0) {
+        status = murk_shard_check(r->shard, err);
+    }
     if (status) {
         return status;
     }
     if (plan->plan.is_dark) {
         murk_note("runs",
                   "it is dark, so nothing hangs on chance: once is enough");
-        return MURK_OK;
     }
-    const murk_repeat_first first = {
-        &plan->plan, plan->conditions ? NULL : plan->session.stage,
-        plan->conditions};
-    murk_fields_release(&plan->fields);
-    murk_repeat_release(&plan->repeat);
-    return murk_repeat_make(&plan->repeat, &first, (size_t)runs,
-                            plan->world->context->threads, err);
+    return make_runs(plan, r, err);
 }
 
-murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
+/* Does what was asked for in a call. */
+static murk_status repeat_in_call(murk_plan *plan, const repeating *r,
+                                  murk_error *error)
 {
-    if (!plan || runs == 0) {
-        return murk_call_refuse(error, "plan is NULL, or runs is 0");
+    bool has_paths = true;
+    for (size_t i = 0; has_paths && i < r->n; ++i) {
+        has_paths = r->path && r->path[i];
+    }
+    if (!plan || r->runs == 0 || !has_paths) {
+        return murk_call_refuse(error, "plan or a path is NULL, or runs is 0");
     }
     if (plan->matrix) {
         return murk_call_refuse(error, "the plan is for a matrix, which is one "
                                        "sample: other seeds have no other");
     }
     murk_call call = begin(plan, error);
-    return murk_call_end_long(&call, repeat(plan, runs, &call.failure));
+    return murk_call_end_long(&call, repeat(plan, r, &call.failure));
+}
+
+murk_status murk_plan_repeat(murk_plan *plan, uint64_t runs, murk_error *error)
+{
+    return repeat_in_call(plan, &(repeating){.runs = runs}, error);
+}
+
+murk_status murk_plan_repeat_part(murk_plan *plan, uint64_t runs,
+                                  uint32_t number, uint32_t count,
+                                  const char *path, murk_error *error)
+{
+    const repeating r = {runs, {number, count}, &path, 1};
+    return count > 0 ? repeat_in_call(plan, &r, error)
+                     : murk_call_refuse(error, "count is 0, must be 1 or more");
+}
+
+murk_status murk_plan_repeat_merge(murk_plan *plan, uint64_t runs,
+                                   const char *const *path, size_t n,
+                                   murk_error *error)
+{
+    const repeating r = {.runs = runs, .path = path, .n = n};
+    return n > 0 ? repeat_in_call(plan, &r, error)
+                 : murk_call_refuse(error, "n is 0: there are no parts");
 }
 
 /* ---- results ---- */

@@ -18,6 +18,11 @@ static murk_status no_memory(size_t runs, murk_error *err)
     return murk_no_memory(err, "", "for %zu runs", runs);
 }
 
+const murk_scene_desc *murk_repeat_scene(const murk_repeat_first *first)
+{
+    return first->stage ? first->stage->scene : first->over->conditions->scene;
+}
+
 /* ---- runs ---- */
 
 static const murk_estimate NO_ESTIMATE = {NAN, NAN};
@@ -104,12 +109,10 @@ static murk_status run_again(murk_repeat_run *out,
     return status;
 }
 
-murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
-                             size_t asked, unsigned threads, murk_error *err)
+murk_status murk_repeat_begin(murk_repeat *out, const murk_repeat_first *first,
+                              size_t asked, murk_error *err)
 {
-    const murk_scene_desc *scene =
-        first->stage ? first->stage->scene : first->over->conditions->scene;
-    /* The first run is the job that is already done. */
+    const murk_scene_desc *scene = murk_repeat_scene(first);
     *out = (murk_repeat){
         .run = calloc(asked, sizeof *out->run),
         .asked = asked,
@@ -122,26 +125,45 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     }
     out->run[0] = run_of(first->plan, scene->seed);
     out->run[0].plan = out->run[0].held_out;
+    out->runs = 1;
+    return MURK_OK;
+}
+
+murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
+                             const bool *is_left_out, unsigned threads,
+                             murk_error *err)
+{
+    const uint32_t seed = murk_repeat_scene(first)->seed;
     murk_conditions *own = NULL; /* the scene as it stands */
     murk_status status =
         first->stage ? murk_conditions_of_stage(&own, first->stage, NULL, err)
                      : MURK_OK;
     const murk_conditions *conditions =
         first->stage ? own : first->over->conditions;
+    /* Count the runs, the first one included. */
+    size_t total = out->asked, done = 1;
+    for (size_t i = 1; i < out->asked && is_left_out; ++i) {
+        total -= is_left_out[i];
+    }
     /* The other runs, one seed after the other. */
-    murk_progress_begin_group("repeat", asked, "seeds");
+    murk_progress_begin_group("repeat", total, "seeds");
     murk_progress_add_to_group(1);
-    for (out->runs = 1; out->runs < asked && !status;) {
+    while (out->runs < out->asked && !status) {
         const uint32_t later = (uint32_t)out->runs;
-        murk_repeat_run *run = &out->run[out->runs];
+        if (is_left_out && is_left_out[later]) {
+            ++out->runs;
+            continue;
+        }
         murk_error why = {0};
-        murk_progress_part(out->runs + 1, asked, out->runs);
-        status = run_again(run, first->plan, conditions, later, threads, &why);
+        murk_progress_part(done + 1, total, done);
+        status = run_again(&out->run[later], first->plan, conditions, later,
+                           threads, &why);
         if (status) {
             status = murk_fail(err, status, why.where, "seed %lu: %s",
-                               (unsigned long)scene->seed + later, why.text);
+                               (unsigned long)seed + later, why.text);
         } else {
             ++out->runs;
+            ++done;
             murk_progress_add_to_group(1);
         }
     }

@@ -52,11 +52,21 @@ typedef struct murk_repeat_first {
     const murk_condition_plans *over;
 } murk_repeat_first;
 
-/* Makes asked - 1 further runs, asked >= 1. After a failure of a run or
- * MURK_INTERRUPTED *out holds the runs that were finished. Release *out also
- * then. */
+/* The scene of the first run. */
+const murk_scene_desc *murk_repeat_scene(const murk_repeat_first *first);
+
+/* Begins the runs with the first one, asked >= 1. Fails with MURK_NO_MEMORY.
+ * Release *out also then. */
+murk_status murk_repeat_begin(murk_repeat *out, const murk_repeat_first *first,
+                              size_t asked, murk_error *err);
+
+/* Makes the asked - 1 further runs, except those for which is_left_out[asked]
+ * is true, which are in out->run already or belong to another shard; NULL:
+ * none. After a failure of a run or MURK_INTERRUPTED *out holds the runs that
+ * were finished before. */
 murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
-                             size_t asked, unsigned threads, murk_error *err);
+                             const bool *is_left_out, unsigned threads,
+                             murk_error *err);
 void murk_repeat_release(murk_repeat *repeat);
 
 typedef struct murk_spread {

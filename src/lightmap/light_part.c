@@ -4,7 +4,6 @@
  * in arrays. */
 #include "lightmap/light_part.h"
 
-#include "base/log.h"
 #include "base/machine.h"
 #include "base/version.h"
 #include "lightmap/key_check.h"
@@ -216,8 +215,7 @@ static murk_status read_part(part *p, const murk_stage *stage,
     }
     const murk_light_part_facts *f =
         find(p, "part", sizeof(murk_light_part_facts));
-    if (!f || f->number < 1 || f->number > f->count ||
-        f->count > MURK_SHARDS_MAX) {
+    if (!f || murk_shard_check((murk_shard){f->number, f->count}, NULL)) {
         return bad_part(p->path, "the section \"part\" is missing", err);
     }
     p->facts = *f;
@@ -291,28 +289,10 @@ static murk_status place_part(murk_light_parts *parts, part *p, murk_error *err)
                                 p->facts.number, p->facts.count, there->path);
 }
 
-/* Warns of missing parts, of which the first few are named. */
-static void warn_of_missing(const murk_light_parts *parts)
+static bool has_part(const void *of, uint32_t number)
 {
-    char names[128] = "";
-    size_t length = 0, missing = 0;
-    for (uint32_t k = 0; k < parts->count; ++k) {
-        if (parts->part[k].sections) {
-            continue;
-        }
-        ++missing;
-        if (length + 16 < sizeof names) {
-            length += (size_t)snprintf(names + length, sizeof names - length,
-                                       "%s%u", length ? ", " : "", k + 1);
-        }
-    }
-    if (missing > 0) {
-        murk_warn("merge",
-                  "%zu of %u parts are missing (%s%s): their photons are "
-                  "traced now",
-                  missing, parts->count, names,
-                  length + 16 < sizeof names ? "" : ", ...");
-    }
+    const murk_light_parts *parts = of;
+    return parts->part[number - 1].sections != NULL;
 }
 
 murk_status murk_light_parts_read(murk_light_parts **out,
@@ -352,7 +332,8 @@ murk_status murk_light_parts_read(murk_light_parts **out,
         murk_light_parts_destroy(parts);
         return status;
     }
-    warn_of_missing(parts);
+    murk_shards_warn_of_missing(has_part, parts, parts->count,
+                                "their photons are traced now");
     *out = parts;
     return MURK_OK;
 }

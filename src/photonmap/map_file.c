@@ -145,7 +145,8 @@ static murk_status read_header(header *head, int fd, uint64_t size,
     }
     /* Checks in the order in which they give the most helpful message. */
     if (there < sizeof magic || memcmp(head->magic, magic, sizeof magic) != 0) {
-        return murk_fail(err, MURK_BAD_FILE, path, "not a light.murk file%s",
+        return murk_fail(err, MURK_BAD_FILE, path,
+                         "not a light.murk file or a part of a run%s",
                          size == 0 ? ": it is empty" : "");
     }
     if (there < sizeof *head) {

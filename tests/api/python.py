@@ -76,6 +76,10 @@ def program_agrees(folder):
     seen = light.sense(plan.sensors)
     seen.save(os.path.join(folder, "seen"), exports=["photons"])
     check({"coverage.json", "coverage.csv"} <= set(os.listdir(os.path.join(folder, "seen"))), "files of a coverage")
+    parts = [os.path.join(folder, f"{number}.part") for number in (1, 2)]
+    for number, path in enumerate(parts, 1):
+        plan.repeat_part(3, number, 2, path)
+    check(plan.merge_repeat(3, parts[::-1]) == plan.repeat(3), "other seeds in parts")
     check(plan.repeat(2)["runs"] and plan.result["repeat"], "a plan with another seed")
     page = os.path.join(folder, "page.html")
     check(plan.report(page) == page and os.path.getsize(page) > 100000, "a page")

@@ -54,7 +54,8 @@ static void test_every_length_is_refused(const char *bytes, size_t size)
         CHECK_MENTIONS(line, n < 8 ? "not a light.murk file" : "cut short: ");
     }
     write_bytes(path, bytes, 0);
-    CHECK_TEXT(refusal(MURK_BAD_FILE), "not a light.murk file: it is empty");
+    CHECK_TEXT(refusal(MURK_BAD_FILE),
+               "not a light.murk file or a part of a run: it is empty");
     write_bytes(path, bytes, 100);
     CHECK_TEXT(refusal(MURK_BAD_FILE), "cut short: 100 bytes, must be 264");
 }
@@ -170,7 +171,8 @@ static void test_noise_is_refused(void)
         CHECK_MENTIONS(refusal(MURK_BAD_FILE), "not a light.murk file");
     }
     write_bytes(path, "murk: 1\nbands_nm: [532]\n", 24);
-    CHECK_TEXT(refusal(MURK_BAD_FILE), "not a light.murk file");
+    CHECK_TEXT(refusal(MURK_BAD_FILE),
+               "not a light.murk file or a part of a run");
 }
 
 static void test_what_is_no_file_is_refused(void)

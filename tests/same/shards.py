@@ -174,16 +174,21 @@ def wrong_options():
     check(ran.returncode == 2 and "no folder" in ran.stderr, f"merge of nothing: {ran.stderr}")
 
 
-with tempfile.TemporaryDirectory() as top:
-    for i, each in enumerate(RUNS):
-        os.mkdir(os.path.join(top, str(i)))
-        parts_are_the_run(os.path.join(top, str(i)), each)
-    others = os.path.join(top, "others")
-    for name in ("", "seed", "old"):
-        os.mkdir(os.path.join(others, name))
-    others_are_refused(others)
-    files_of_others_stay(others)
-    hostile_parts_are_refused(others)
-    wrong_options()
-print("shards:", f"{failures} failures" if failures else "all as it should be")
-sys.exit(failures > 0)
+def main():
+    with tempfile.TemporaryDirectory() as top:
+        for i, each in enumerate(RUNS):
+            os.mkdir(os.path.join(top, str(i)))
+            parts_are_the_run(os.path.join(top, str(i)), each)
+        others = os.path.join(top, "others")
+        for name in ("", "seed", "old"):
+            os.mkdir(os.path.join(others, name))
+        others_are_refused(others)
+        files_of_others_stay(others)
+        hostile_parts_are_refused(others)
+        wrong_options()
+    print("shards:", f"{failures} failures" if failures else "all as it should be")
+    sys.exit(failures > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,5 +1,5 @@
-/* The best places of two sensors, for light that was traced before; and the
- * best columns of a coverage matrix. */
+/* The best places of two sensors, for light that was traced before, with other
+ * seeds, in parts, too; and the best columns of a coverage matrix. */
 #include "example.h"
 
 /* Chooses two of three columns of a matrix in memory. */
@@ -62,6 +62,14 @@ int main(void)
     must(murk_fields_double(fields, "coverage.in_sample", &again, &error),
          &error);
     printf("equal: %s\n", again == share ? "yes" : "no");
+    /* The other seeds in two parts, as two machines would run them. */
+    static const char *const part[] = {"1.part", "2.part"};
+    must(murk_plan_repeat_part(same, 4, 1, 2, part[0], &error), &error);
+    must(murk_plan_repeat_part(same, 4, 2, 2, part[1], &error), &error);
+    must(murk_plan_repeat_merge(same, 4, part, 2, &error), &error);
+    must(murk_plan_fields(same, &fields, &error), &error);
+    must(murk_fields_int64(fields, "repeat.runs", &runs, &error), &error);
+    printf("runs of parts: %d\n", (int)runs);
     choose_columns(context);
     murk_plan_destroy(same);
     murk_sensors_destroy(sensors);
@@ -78,5 +86,6 @@ int main(void)
  * 2 sensors, more than half of the light: yes
  * runs: 2
  * equal: yes
+ * runs of parts: 4
  * columns: north, south
  */
