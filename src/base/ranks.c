@@ -123,7 +123,7 @@ void murk_gathered_release(murk_gathered *gathered)
 murk_status murk_ranks_deal(murk_deal *out, murk_status status, murk_error *err)
 {
     const murk_ranks *ranks = murk_host_now()->ranks;
-    *out = (murk_deal){0};
+    *out = (murk_deal){.ranks = ranks};
     status = murk_ranks_agree(status, err);
     if (!status && ranks) {
         ranks->restart(ranks->context);
@@ -133,6 +133,6 @@ murk_status murk_ranks_deal(murk_deal *out, murk_status status, murk_error *err)
 
 uint64_t murk_ranks_take(murk_deal *deal)
 {
-    const murk_ranks *ranks = murk_host_now()->ranks;
+    const murk_ranks *ranks = deal->ranks;
     return ranks ? ranks->next(ranks->context) : deal->next++;
 }

@@ -97,11 +97,13 @@ murk_status murk_ranks_gather(murk_gathered *out, const void *bytes,
 void murk_gathered_release(murk_gathered *gathered);
 
 /* Deals items out: murk_ranks_take() gives the next item for this rank, or a
- * number of items or more if none is left. murk_ranks_take() is not collective.
+ * number of items or more if none is left. murk_ranks_take() is not collective,
+ * and may be called after murk_ranks_leave().
  * Which rank takes which item depends on chance, so items must not depend on
  * each other. */
 typedef struct murk_deal {
-    uint64_t next; /* without ranks */
+    const murk_ranks *ranks; /* of the host that began it; NULL: none */
+    uint64_t next;           /* without ranks */
 } murk_deal;
 
 murk_status murk_ranks_deal(murk_deal *out, murk_status status,

@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "base/quantile.h"
+#include "base/ranks.h"
 #include "cases/condition_plans.h"
 
 #include <stdlib.h>
@@ -129,11 +130,64 @@ murk_status murk_repeat_begin(murk_repeat *out, const murk_repeat_first *first,
     return MURK_OK;
 }
 
+/* The further runs that are to be made. */
+typedef struct making {
+    murk_repeat *repeat;
+    const murk_repeat_first *first;
+    const murk_conditions *conditions;
+    const bool *is_left_out; /* NULL: none is */
+    unsigned threads;
+} making;
+
+static murk_status make_run(const making *m, size_t later, murk_error *err)
+{
+    murk_error why = {0};
+    const murk_status status =
+        run_again(&m->repeat->run[later], m->first->plan, m->conditions,
+                  (uint32_t)later, m->threads, &why);
+    return status ? murk_fail(err, status, why.where, "seed %lu: %s",
+                              (unsigned long)murk_repeat_scene(m->first)->seed +
+                                  later,
+                              why.text)
+                  : MURK_OK;
+}
+
+/* Makes all runs with the other ranks: each rank makes the next run until none
+ * is left. If a run fails, none is kept but the first. */
+static murk_status make_dealt(const making *m, murk_error *err)
+{
+    murk_repeat *repeat = m->repeat;
+    const size_t bytes = repeat->asked * sizeof *repeat->run;
+    murk_repeat_run *made = calloc(repeat->asked, sizeof *made);
+    murk_deal deal;
+    murk_status status = murk_ranks_deal(
+        &deal, made ? MURK_OK : no_memory(repeat->asked, err), err);
+    const murk_ranks *ranks = murk_ranks_leave();
+    uint64_t later = 0;
+    while (!status && (later = murk_ranks_take(&deal) + 1) < repeat->asked) {
+        if (!m->is_left_out || !m->is_left_out[later]) {
+            status = make_run(m, (size_t)later, err);
+            made[later] = repeat->run[later];
+            murk_progress_add_to_group(1);
+        }
+    }
+    murk_ranks_return(ranks);
+    /* Exchange. */
+    status = murk_ranks_complete(made, bytes, status, err);
+    for (size_t i = 1; i < repeat->asked && !status; ++i) {
+        if (!m->is_left_out || !m->is_left_out[i]) {
+            repeat->run[i] = made[i];
+        }
+    }
+    repeat->runs = status ? 1 : repeat->asked;
+    free(made);
+    return status;
+}
+
 murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
                              const bool *is_left_out, unsigned threads,
                              murk_error *err)
 {
-    const uint32_t seed = murk_repeat_scene(first)->seed;
     murk_conditions *own = NULL; /* the scene as it stands */
     murk_status status =
         first->stage ? murk_conditions_of_stage(&own, first->stage, NULL, err)
@@ -145,23 +199,22 @@ murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,
     for (size_t i = 1; i < out->asked && is_left_out; ++i) {
         total -= is_left_out[i];
     }
-    /* The other runs, one seed after the other. */
+    /* The other runs: one seed after the other, or dealt to ranks. */
     murk_progress_begin_group("repeat", total, "seeds");
     murk_progress_add_to_group(1);
+    const making m = {out, first, conditions, is_left_out, threads};
+    if (!status && murk_ranks_count() > 1) {
+        status = make_dealt(&m, err);
+    }
     while (out->runs < out->asked && !status) {
-        const uint32_t later = (uint32_t)out->runs;
+        const size_t later = out->runs;
         if (is_left_out && is_left_out[later]) {
             ++out->runs;
             continue;
         }
-        murk_error why = {0};
         murk_progress_part(done + 1, total, done);
-        status = run_again(&out->run[later], first->plan, conditions, later,
-                           threads, &why);
-        if (status) {
-            status = murk_fail(err, status, why.where, "seed %lu: %s",
-                               (unsigned long)seed + later, why.text);
-        } else {
+        status = make_run(&m, later, err);
+        if (!status) {
             ++out->runs;
             ++done;
             murk_progress_add_to_group(1);
