@@ -62,7 +62,7 @@ static murk_status begin(murk_study **study, const murk_options *o,
                                   .value = set.value,
                                   .shard_number = o->shard.number,
                                   .shard_count = o->shard.count};
-    if (o->merges) {
+    if (o->merges) { /* rows come from parts */
         options.part = o->merges->inputs.word;
         options.parts = o->merges->inputs.n;
     }

@@ -169,6 +169,7 @@ static murk_status read_head(part *p, const murk_sweep *sweep, murk_error *err)
                          "made by murk %s, this is %s",
                          version[0] ? version : "?", desc->version);
     }
+    /* The study, the number of the part, and the number of rows. */
     p->has_other_study =
         strcmp(next_fact(p, "study"), desc->study->sha256) != 0;
     p->has_other_scene =
@@ -271,6 +272,7 @@ static murk_status read_part(reading *r, part *p, murk_error *err)
     if (status) {
         return status;
     }
+    /* The head, then a line a row, and nothing behind. */
     p->at = p->text;
     status = read_head(p, sweep, err);
     if (!status) {
@@ -304,6 +306,7 @@ static void warn(const reading *r)
                   missing, r->count, names,
                   length + 16 < sizeof names ? "" : ", ...");
     }
+    /* Rows that a part has, whose files are not those that it wrote. */
     for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
         if (r->sum[i][0] && !sweep->row[i].is_done) {
             murk_warn(sweep->desc.part[r->from[i] - 1],
