@@ -1013,11 +1013,21 @@ typedef struct murk_study_options {
     const char *const *key; /* [n] paths of keys; paths and values are as
                              * murk_scene_set() takes them */
     const char *const *value; /* [n] */
+    uint32_t shard_number;    /* 1..shard_count: which part of the rows is run;
+                               * the part lies in the folder then, and is not
+                               * saved */
+    uint32_t shard_count; /* parts of the study, up to 100000; 0: all rows are
+                           * run */
+    size_t parts;         /* folders with parts of the study, of which rows are
+                           * taken over: */
+    const char *const *part; /* [parts] */
 } murk_study_options;
 
 /* Reads a study file and the scenes of its rows; options NULL: zeros. Fails
  * with MURK_BAD_VALUE or MURK_BAD_FILE if the study is wrong or if the scenes
- * of all rows are, and with MURK_INTERRUPTED if the call is cancelled. */
+ * of all rows are, and with MURK_INTERRUPTED if the call is cancelled. With
+ * parts, also fails if a part is of another study, version or number of parts,
+ * with the first difference; missing parts are named in a warning. */
 murk_status murk_study_read(murk_study **out, murk_context *context,
                             const char *path, const murk_study_options *options,
                             murk_error *error);
@@ -1028,14 +1038,17 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
                                   const murk_save_options *options,
                                   murk_error *error);
 
-/* Runs the rows that are not done, as murk study. A row that fails is no
- * failure of the study: its field `failed` has the reason. A cancelled study
- * keeps the rows that are done, and may be run again. Fields that were asked
- * for before are valid no longer. `imports` in the options of the context
- * chooses the process that runs a group of rows. The study file and the scene
- * must stay as they were read; rows of a scene that has changed fail. Fails
- * with MURK_INTERRUPTED, or with MURK_RUN_FAILED if a finished row cannot be
- * kept or if there is no program murk-rows where it is asked for. */
+/* Runs the rows that are not done, as murk study. Of a shard, runs the rows of
+ * each shard_count-th group of rows that share light, from group shard_number
+ * on, and then writes the part. The results of a study with all its parts are
+ * those of a single run, in every bit. A row that fails is no failure of the
+ * study: its field `failed` has the reason. A cancelled study keeps the rows
+ * that are done, and may be run again. Fields that were asked for before are
+ * valid no longer. `imports` in the options of the context chooses the process
+ * that runs a group of rows. The study file and the scene must stay as they
+ * were read; rows of a scene that has changed fail. Fails with
+ * MURK_INTERRUPTED, or with MURK_RUN_FAILED if a finished row or the part
+ * cannot be kept or if there is no program murk-rows where it is asked for. */
 murk_status murk_study_run(murk_study *study, murk_error *error);
 void murk_study_destroy(murk_study *study);
 
@@ -1046,7 +1059,8 @@ murk_status murk_study_fields(murk_study *study, const murk_fields **fields,
 /* Writes the files of murk study to a folder: study.json and table.csv, of the
  * rows that are done, and scene.resolved.yaml, if the base scene is valid by
  * itself. The arguments are described at murk_save_options. Fails with
- * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */
+ * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there, and
+ * with MURK_BAD_VALUE for a shard. */
 murk_status murk_study_save(murk_study *study, const char *folder,
                             const murk_save_options *options,
                             const murk_fields **fields, murk_error *error);

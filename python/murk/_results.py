@@ -193,16 +193,22 @@ class Study(Fielded):
     """
 
     def __init__(self, path: Path, folder: Path | None = None, context: Context | None = None,
-                 keys: Mapping[str, Any] | None = None) -> None:
+                 keys: Mapping[str, Any] | None = None, shard: tuple[int, int] | None = None,
+                 parts: Sequence[Path] = ()) -> None:
         self.context = context or default_context()
         out = ffi.new("murk_study **")
         # Strings live as long as the call.
         kept, names = c_text(folder), [c_text(key) for key in keys or {}]
         values = [c_text(yaml_of(key, value)) for key, value in (keys or {}).items()]
+        folders = [c_text(part) for part in parts]
+        number, count = (0, 0) if shard is None else shard
+        if shard is not None and not (1 <= number <= count <= 100000):
+            raise Error(f"({number}, {count}), must be (K, N): part K of N, at most 100000", where="argument shard")
         options = ffi.new("murk_study_options *", {"size": ffi.sizeof("murk_study_options"), "folder": kept,
-                                                   "n": len(names)})
-        arrays = ffi.new("const char *[]", names), ffi.new("const char *[]", values)
-        options.key, options.value = arrays
+                                                   "n": len(names), "shard_number": number, "shard_count": count,
+                                                   "parts": len(folders)})
+        arrays = [ffi.new("const char *[]", texts) for texts in (names, values, folders)]
+        options.key, options.value, options.part = arrays
         call_long(self.context, lib.murk_study_read, out, self.context.c, c_text(path), options)
         self.c = ffi.gc(out[0], lib.murk_study_destroy)
         call_long(self.context, lib.murk_study_run, self.c)
@@ -226,13 +232,18 @@ class Study(Fielded):
 
 
 def study(path: Path, folder: Path | None = None, context: Context | None = None,
-          keys: Mapping[str, Any] | None = None) -> Study:
+          keys: Mapping[str, Any] | None = None, shard: tuple[int, int] | None = None,
+          parts: Sequence[Path] = ()) -> Study:
     """Runs the rows of a study file: Study.
 
     folder: keeps finished rows, which are not run again by the next call. keys: paths of keys that are set in the scene
     of each row, and their values, such as those of `read_keys()`. A row that fails has the reason in its field
     `failed`. Raises Error if the study file or its scene is wrong. Groups of rows run in subprocesses.
 
+    shard: (K, N): runs part K of N of the rows alone, and keeps it in the folder, on any machine. parts: such folders, in
+    any order, whose rows are taken over; rows of missing parts are run, with a warning. The results are those of a single
+    run, in every bit. Raises Error for parts of another study. Source: `murk study --shard`, `murk merge`.
+
     Example: `study = murk.study("scenes/studies/fog-yard.yaml", folder="rows")`.
     """
-    return Study(path, folder, context, keys)
+    return Study(path, folder, context, keys, shard, parts)

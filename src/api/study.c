@@ -23,6 +23,8 @@ struct murk_study {
     char *folder; /* of the rows; NULL: none */
     size_t n;
     murk_override *set; /* [n] keys of the caller */
+    size_t parts;
+    char **part; /* [parts] folders of parts */
     murk_study_file *file;
     murk_sweep *sweep;
     murk_session session; /* its scene is the base scene; NULL if read_base()
@@ -55,6 +57,43 @@ static void report_row(void *context, size_t row)
                            news, sizeof news)) {
         murk_note(where, "%s", news);
     }
+}
+
+/* Checks the shard and the parts of the caller, and copies the paths of the
+ * parts. */
+static murk_status take_parts(murk_study *study,
+                              const murk_study_options *options,
+                              murk_error *err)
+{
+    const uint32_t number = options->shard_number, count = options->shard_count;
+    if (count > MURK_SHARDS_MAX || (count == 0) != (number == 0) ||
+        number > count) {
+        return murk_fail(err, MURK_BAD_VALUE, "options->shard_number",
+                         "%u of %u, must be 1 of 1 to %d of %d", number, count,
+                         MURK_SHARDS_MAX, MURK_SHARDS_MAX);
+    }
+    if (count > 0 && options->parts > 0) {
+        return murk_fail(err, MURK_BAD_VALUE, "options->part",
+                         "a part is not put together from parts");
+    }
+    /* Copy the paths. */
+    murk_status status = murk_call_check_texts(err, "options->part",
+                                               options->part, options->parts);
+    if (status) {
+        return status;
+    }
+    study->part = calloc(options->parts + 1, sizeof *study->part);
+    if (!study->part) {
+        return murk_no_memory(err, "", "for the study");
+    }
+    for (size_t i = 0; i < options->parts; ++i) {
+        study->part[i] = strdup(options->part[i]);
+        if (!study->part[i]) {
+            return murk_no_memory(err, "", "for the study");
+        }
+        ++study->parts;
+    }
+    return MURK_OK;
 }
 
 /* Copies the folder, and the keys with their values, of the caller. */
@@ -111,17 +150,24 @@ static murk_status read_study(murk_study *study, const char *path,
                                     .begun_s = murk_clock_s()};
     status = take_options(study, &options, err);
     if (!status) {
+        status = take_parts(study, &options, err);
+    }
+    if (!status) {
         status = murk_study_file_read(&study->file, path, err);
     }
-    const murk_sweep_desc desc = {.study = study->file,
-                                  .overrides = study->set,
-                                  .n_overrides = study->n,
-                                  .folder = study->folder,
-                                  .force = options.replaces,
-                                  .version = murk_version_with_commit(),
-                                  .threads = threads,
-                                  .row_done = report_row,
-                                  .context = study};
+    const murk_sweep_desc desc = {
+        .study = study->file,
+        .overrides = study->set,
+        .n_overrides = study->n,
+        .folder = study->folder,
+        .force = options.replaces,
+        .version = murk_version_with_commit(),
+        .threads = threads,
+        .shard = {options.shard_number, options.shard_count},
+        .part = (const char *const *)study->part,
+        .parts = study->parts,
+        .row_done = report_row,
+        .context = study};
     if (!status) {
         status = murk_sweep_create(&study->sweep, &desc, err);
     }
@@ -180,6 +226,10 @@ void murk_study_destroy(murk_study *study)
     for (size_t i = 0; i < study->n; ++i) {
         murk_override_release(&study->set[i]);
     }
+    for (size_t i = 0; i < study->parts; ++i) {
+        free(study->part[i]);
+    }
+    free(study->part);
     free(study->set);
     free(study->seen);
     free(study->folder);
@@ -241,9 +291,15 @@ static murk_status identify(const murk_study *study, murk_session *session,
     return status;
 }
 
-static murk_status check(murk_session *session, murk_error *err)
+static murk_status check(const murk_study *study, murk_session *session,
+                         murk_error *err)
 {
     static const char *const names[] = {"study.json", "table.csv", NULL};
+    if (study->sweep->desc.shard.count) {
+        return murk_fail(err, MURK_BAD_VALUE, study->file->path,
+                         "a part has no results: a study with all its parts "
+                         "has them");
+    }
     murk_status status = murk_save_without_exports(session, "a study", err);
     if (!status) {
         status = murk_results_begin(&session->results, session->settings.folder,
@@ -264,7 +320,7 @@ murk_status murk_study_check_save(murk_study *study, const char *folder,
     murk_status status =
         murk_save_set(&session, folder, options, &call.failure);
     if (!status) {
-        status = check(&session, &call.failure);
+        status = check(study, &session, &call.failure);
     }
     murk_results_end(&session.results);
     return murk_call_end(&call, status);
@@ -299,7 +355,7 @@ static murk_status save(void *of, murk_session *session,
     (void)late; /* of exports, which check() refuses */
     const murk_study_results results = {study->sweep, study->is_interrupted,
                                         session->settings.folder};
-    murk_status status = check(session, err);
+    murk_status status = check(study, session, err);
     if (!status) {
         status = identify(study, session, options, err);
     }

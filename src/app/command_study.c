@@ -1,6 +1,7 @@
 /* murk study: runs the rows of a study, writes its table and its JSON, and
- * prints a summary. */
+ * prints a summary; or, with --shard, runs a part of the rows alone. */
 #include "app/given.h"
+#include "app/part.h"
 #include "app/show.h"
 #include "base/print.h"
 
@@ -41,25 +42,61 @@ static void release_keys(keys *k)
     free(k->value);
 }
 
+/* study.part begins with this text. */
+static const murk_part_result study_part = {"study.part",
+                                            "murk part of a study"};
+
+/* Reads the study, and makes sure that the files of a part, or else the
+ * results, may be written. */
 static murk_status begin(murk_study **study, const murk_options *o,
                          const murk_given_save *save, murk_error *err)
 {
     keys set = {.n = 0};
+    char *path = NULL; /* of study.part, which the library writes */
     murk_status status = split_keys(&set, o, err);
-    const murk_study_options options = {.size = sizeof options,
-                                        .folder = o->out,
-                                        .replaces = o->force,
-                                        .n = set.n,
-                                        .key = (const char *const *)set.key,
-                                        .value = set.value};
+    murk_study_options options = {.size = sizeof options,
+                                  .folder = o->out,
+                                  .replaces = o->force,
+                                  .n = set.n,
+                                  .key = (const char *const *)set.key,
+                                  .value = set.value,
+                                  .shard_number = o->shard.number,
+                                  .shard_count = o->shard.count};
+    if (o->merges) { /* rows come from parts */
+        options.part = o->merges->inputs.word;
+        options.parts = o->merges->inputs.n;
+    }
     if (!status) {
         status = murk_study_read(study, o->context, o->input, &options, err);
     }
     if (!status) {
-        status = murk_study_check_save(*study, o->out, &save->options, err);
+        status = o->shard.count ? murk_part_begin(&path, o, &study_part, err)
+                                : murk_study_check_save(*study, o->out,
+                                                        &save->options, err);
     }
+    free(path);
     release_keys(&set);
     return status;
+}
+
+/* Prints how many rows the part has, and writes part.txt. */
+static murk_status end_part(murk_study *study, const murk_options *options,
+                            murk_error *err)
+{
+    const murk_fields *fields = NULL;
+    int64_t asked = 0, done = 0, reused = 0, failed = 0;
+    murk_status status = murk_study_fields(study, &fields, err);
+    if (!status && murk_shows_summary(options)) {
+        (void)murk_fields_int64(fields, "rows_asked", &asked, NULL);
+        (void)murk_fields_int64(fields, "rows_done", &done, NULL);
+        (void)murk_fields_int64(fields, "rows_failed", &failed, NULL);
+        (void)murk_fields_int64(fields, "run.rows_kept", &reused, NULL);
+        murk_print("rows        %lld of %lld, of which %lld kept from before "
+                   "and %lld failed\n",
+                   (long long)done, (long long)asked, (long long)reused,
+                   (long long)failed);
+    }
+    return status ? status : murk_part_end(options, err);
 }
 
 /* True if any rows wrote their grids. */
@@ -140,9 +177,13 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = murk_study_run(study, err);
-        if (status == MURK_INTERRUPTED) {
+        if (status == MURK_INTERRUPTED && !options->shard.count) {
             save_interrupted(study, options, &save);
         }
+    }
+    if (!status && options->shard.count) {
+        status = end_part(study, options, err);
+        goto done;
     }
     if (!status) {
         status =
@@ -159,6 +200,7 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
     if (!status) {
         status = judge(options, saved, err);
     }
+done:
     murk_study_destroy(study);
     murk_given_save_end(&save);
     return status;

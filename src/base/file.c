@@ -426,6 +426,27 @@ static murk_status read_pieces(const char *path, uint64_t max, owner whose,
     return status;
 }
 
+static void take_copy(void *context, const void *bytes, size_t size)
+{
+    (void)fwrite(bytes, 1, size, context); /* murk_file_commit() asks ferror()
+                                            */
+}
+
+murk_status murk_file_copy_own(const char *path, const char *from, uint64_t max,
+                               murk_error *err)
+{
+    murk_file *file = NULL;
+    murk_status status = murk_file_create(&file, path, err);
+    if (!status) {
+        status = read_pieces(from, max, OWN, take_copy, file->stream, err);
+    }
+    if (!status) {
+        status = murk_file_commit(&file, err);
+    }
+    murk_file_discard(file);
+    return status;
+}
+
 static void take_checksum(void *context, const void *bytes, size_t size)
 {
     XXH3_128bits_update(context, bytes, size);

@@ -43,6 +43,12 @@ murk_status murk_file_open(int *fd, uint64_t *size, const char *path,
 murk_status murk_file_read_bytes(int fd, void *out, size_t size,
                                  const char *path, murk_error *err);
 
+/* Writes a copy of a regular file of at most `max` bytes, which appears
+ * complete or not at all; the file that is read does not count as an input of
+ * the run. Fails as murk_file_read_own() and murk_file_write() do. */
+murk_status murk_file_copy_own(const char *path, const char *from, uint64_t max,
+                               murk_error *err);
+
 /* Reads a whole file, which must be a regular file of at most `max` bytes, or a
  * table in memory of any size if the path begins with "memory:"
  * (base/memory_files.h). A '\0' follows the bytes and is not counted in *size.

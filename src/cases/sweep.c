@@ -1,6 +1,23 @@
 /* Questions about the rows and the plans of a study. */
 #include "cases/sweep.h"
 
+bool murk_sweep_owns(const murk_sweep *sweep, size_t row)
+{
+    const murk_shard shard = sweep->desc.shard;
+    const size_t group = sweep->row[row].group;
+    return shard.count == 0 ||
+           (group != SIZE_MAX && group % shard.count == shard.number - 1);
+}
+
+size_t murk_sweep_owned(const murk_sweep *sweep)
+{
+    size_t owned = 0;
+    for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
+        owned += murk_sweep_owns(sweep, i);
+    }
+    return owned;
+}
+
 size_t murk_sweep_done(const murk_sweep *sweep)
 {
     size_t done = 0;

@@ -15,6 +15,7 @@
 #ifndef MURK_CASES_SWEEP_H
 #define MURK_CASES_SWEEP_H
 
+#include "base/shard.h"
 #include "cases/outputs.h"
 #include "cases/row.h"
 
@@ -25,7 +26,9 @@ typedef struct murk_sweep_row {
                       * before rows were grouped */
     bool is_done;    /* found is filled; also if the row failed */
     bool has_plans;  /* found holds the coverage of the plans for all rows */
-    bool is_reused;  /* taken over from an earlier run */
+    bool is_reused;  /* taken over from an earlier run or a part */
+    size_t part;     /* number, from 1, of the part among desc.part that has the
+                      * row; 0: none, or the row is in the folder already */
     bool is_chooser; /* takes part in the choice of the plans for all rows */
 } murk_sweep_row;
 
@@ -70,6 +73,11 @@ typedef struct murk_sweep_desc {
     const char *version; /* version of the program: rows of other versions are
                             made again */
     unsigned threads;
+    murk_shard shard;        /* the part of the rows that is run; no plans for
+                                all rows are made then */
+    const char *const *part; /* [parts] folders of parts, whose rows are taken
+                                over (cases/sweep_part.h) */
+    size_t parts;
     void (*row_done)(void *context, size_t row); /* may be NULL */
     void *context;
 } murk_sweep_desc;
@@ -88,6 +96,15 @@ typedef struct murk_sweep {
     char scene_sha256[65]; /* of the file of the base scene */
     uint32_t seed;         /* of the first row that could be read */
 } murk_sweep;
+
+/* True if the row is to be run: its group is one of the shard, or the run is
+ * not divided. Shard K of N has the groups K - 1, K - 1 + N, and so on, so that
+ * the photons of rows that share light are traced once. Rows that failed before
+ * they were grouped are in no shard. */
+bool murk_sweep_owns(const murk_sweep *sweep, size_t row);
+
+/* Rows that murk_sweep_owns(). */
+size_t murk_sweep_owned(const murk_sweep *sweep);
 
 /* Rows that are done, with those that failed; and rows that failed. */
 size_t murk_sweep_done(const murk_sweep *sweep);
@@ -113,7 +130,8 @@ bool murk_sweep_lacks_values(const murk_sweep_row *row);
  * rows have. The study also fails if the command line sets a key of an axis, if
  * an output is unknown or lacks something it needs, if the file of the given
  * placement cannot be read, if a plan for all rows is asked for and rows differ
- * in sensors or placement, if a grid in the folder may not be replaced, or with
+ * in sensors or placement, if a grid in the folder may not be replaced, if a
+ * part is refused (murk_sweep_parts_read() in cases/sweep_part.h), or with
  * MURK_INTERRUPTED or MURK_NO_MEMORY. *out is the caller's:
  * murk_sweep_destroy(). The desc is copied; the objects that it points to must
  * outlive *out. */
@@ -121,10 +139,12 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
                               murk_error *err);
 void murk_sweep_destroy(murk_sweep *sweep); /* NULL is fine */
 
-/* Runs the rows that are not done, then makes the plans for all rows. Fails
- * with MURK_INTERRUPTED or MURK_NO_MEMORY, or if a finished row cannot be
- * stored; a row that fails is no failure of the study. If the host forks
- * (base/host.h), call it while this process has no threads. */
+/* Copies rows of parts into the folder, runs the rows that are not done, then
+ * makes the plans for all rows; a shard runs its rows alone, and then writes
+ * the file of the part (cases/sweep_part.h). Fails with MURK_INTERRUPTED or
+ * MURK_NO_MEMORY, or if a finished row or the part cannot be stored; a row that
+ * fails is no failure of the study. If the host forks (base/host.h), call it
+ * while this process has no threads. */
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err);
 
 #endif

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "cases/sweep_coverage.h"
 #include "cases/sweep_keys.h"
+#include "cases/sweep_part.h"
 #include "cases/sweep_store.h"
 #include "plan/placement_in.h"
 
@@ -63,10 +64,12 @@ static murk_status read_first(reading *r, const murk_scene_desc *scene,
         status =
             murk_outputs_choose(&sweep->outputs, sweep->desc.study, scene, err);
     }
+    /* A shard makes no plans for all rows. */
+    const bool is_whole = sweep->desc.shard.count == 0;
     sweep->plan[MURK_SWEEP_MEAN].is_wanted =
-        sweep->outputs.wants[MURK_OUTPUT_ONE_MEAN];
+        is_whole && sweep->outputs.wants[MURK_OUTPUT_ONE_MEAN];
     sweep->plan[MURK_SWEEP_WORST].is_wanted =
-        sweep->outputs.wants[MURK_OUTPUT_ONE_WORST];
+        is_whole && sweep->outputs.wants[MURK_OUTPUT_ONE_WORST];
     return status;
 }
 
@@ -98,18 +101,6 @@ done:
     }
     murk_scene_desc_destroy(scene);
     return status;
-}
-
-static void load_row(murk_sweep *sweep, size_t i)
-{
-    murk_sweep_row *row = &sweep->row[i];
-    if (!row->is_done && murk_sweep_load(sweep, row->key, &row->found)) {
-        row->is_done = row->is_reused =
-            murk_sweep_has_fluence(sweep, i, &row->found);
-        if (!row->is_reused) {
-            murk_study_row_release(&row->found);
-        }
-    }
 }
 
 /* Fails if the command line sets a key (--set) that an axis of the study sets
@@ -209,10 +200,19 @@ murk_status murk_sweep_create(murk_sweep **out, const murk_sweep_desc *desc,
     if (!status) {
         status = murk_sweep_check_folder(sweep, err);
     }
-    /* Take over finished rows of an earlier run. */
+    /* Take over finished rows of parts, and of an earlier run. */
+    if (!status && desc->shard.count) {
+        status = murk_sweep_part_check(sweep, err);
+    }
+    if (!status) {
+        status = murk_sweep_parts_read(sweep, err);
+    }
     for (size_t i = 0; !status && desc->folder && i < rows; ++i) {
-        load_row(sweep, i);
-        if (!sweep->row[i].is_done) {
+        if (!murk_sweep_owns(sweep, i)) {
+            continue;
+        }
+        murk_sweep_load_row(sweep, i);
+        if (!sweep->row[i].is_done || sweep->row[i].part) {
             status = murk_sweep_check_fluence(sweep, i, err);
         }
     }

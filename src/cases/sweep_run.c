@@ -12,6 +12,7 @@
 #include "cases/scenario_mean.h"
 #include "cases/sweep_jobs.h"
 #include "cases/sweep_light.h"
+#include "cases/sweep_part.h"
 #include "cases/sweep_store.h"
 
 #include <math.h>
@@ -126,7 +127,9 @@ static murk_status run_groups(murk_sweep *sweep, bool measures_plans,
 {
     murk_status status = MURK_OK;
     for (size_t g = 0; g < sweep->groups && !status; ++g) {
-        status = run_group(sweep, &sweep->group[g], measures_plans, err);
+        if (murk_sweep_owns(sweep, sweep->group[g].row[0])) {
+            status = run_group(sweep, &sweep->group[g], measures_plans, err);
+        }
     }
     return status;
 }
@@ -280,22 +283,39 @@ static murk_status plan_for_all(murk_sweep *sweep, murk_error *err)
     return status;
 }
 
+/* Rows that murk_sweep_owns() and that are done. */
+static size_t owned_done(const murk_sweep *sweep)
+{
+    size_t done = 0;
+    for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
+        done += sweep->row[i].is_done && murk_sweep_owns(sweep, i);
+    }
+    return done;
+}
+
 murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
-    const size_t rows = sweep->desc.study->rows, done = murk_sweep_done(sweep);
+    const size_t rows = murk_sweep_owned(sweep), done = owned_done(sweep);
     murk_status status = done < rows ? murk_isolated_check(err) : MURK_OK;
     if (!status) {
         status = murk_sweep_open(sweep, err);
     }
+    if (!status) {
+        status = murk_sweep_parts_copy(sweep, err);
+    }
     if (status) {
         return status;
     }
+    /* The rows, of which a shard has its own alone. */
     murk_progress_begin_group("study", rows, "rows");
     murk_progress_add_to_group(done);
     murk_progress_part(0, rows, done);
     status = run_groups(sweep, false, err);
     murk_progress_part(0, 0, 0);
     murk_progress_end();
+    if (!status && sweep->desc.shard.count) {
+        return murk_sweep_part_write(sweep, err);
+    }
     if (!status) {
         murk_progress_begin_group("plans for all", rows, "rows");
         status = plan_for_all(sweep, err);

@@ -17,13 +17,10 @@
 /* A row has a few values for each tally and band and a line for each sensor: a
  * longer file is not one of murk. */
 #define ROW_BYTES_MAX 16000000
-/* 64 GiB: more than any grid that fits in the memory of a workstation. */
-#define FLUENCE_BYTES_MAX (UINT64_C(64) << 30)
 
-/* The path of a file in the folder of the study. */
-static murk_status path_of(char out[MURK_SWEEP_PATH_SIZE],
-                           const murk_sweep *sweep, const char *name,
-                           murk_error *err)
+murk_status murk_sweep_path(char out[MURK_SWEEP_PATH_SIZE],
+                            const murk_sweep *sweep, const char *name,
+                            murk_error *err)
 {
     return snprintf(out, MURK_SWEEP_PATH_SIZE, "%s/%s", sweep->desc.folder,
                     name) < MURK_SWEEP_PATH_SIZE
@@ -34,6 +31,10 @@ static murk_status path_of(char out[MURK_SWEEP_PATH_SIZE],
 
 murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err)
 {
+    if (!sweep->desc.folder && sweep->desc.shard.count) {
+        return murk_fail(err, MURK_BAD_VALUE, sweep->desc.study->path,
+                         "a part needs a folder to write into");
+    }
     return !sweep->desc.folder && sweep->outputs.wants[MURK_OUTPUT_FLUENCE]
                ? murk_fail(err, MURK_BAD_VALUE,
                            sweep->desc.study->outputs_where,
@@ -47,7 +48,7 @@ murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err)
     if (!sweep->desc.folder) {
         return MURK_OK;
     }
-    murk_status status = path_of(path, sweep, "rows", err);
+    murk_status status = murk_sweep_path(path, sweep, "rows", err);
     if (!status) {
         status = murk_folder_make(path, err);
     }
@@ -65,7 +66,7 @@ static murk_status row_path(char out[MURK_SWEEP_PATH_SIZE],
 {
     char name[64];
     snprintf(name, sizeof name, "rows/%.32s.yaml", key);
-    return path_of(out, sweep, name, err);
+    return murk_sweep_path(out, sweep, name, err);
 }
 
 bool murk_sweep_load(const murk_sweep *sweep, const char *key,
@@ -86,6 +87,39 @@ bool murk_sweep_load(const murk_sweep *sweep, const char *key,
     }
     free(text);
     return is_read;
+}
+
+static murk_status sum_of(char out[MURK_ROW_SUM_SIZE], const char *path,
+                          uint64_t max, murk_error *err)
+{
+    uint64_t sum[2];
+    const murk_status status = murk_file_checksum_own(path, max, sum, err);
+    if (!status) {
+        snprintf(out, MURK_ROW_SUM_SIZE, "%016" PRIx64 "%016" PRIx64, sum[1],
+                 sum[0]);
+    }
+    return status;
+}
+
+murk_status murk_sweep_sum_row(char out[MURK_ROW_SUM_SIZE],
+                               const murk_sweep *sweep, const char *key,
+                               murk_error *err)
+{
+    char path[MURK_SWEEP_PATH_SIZE];
+    const murk_status status = row_path(path, sweep, key, err);
+    return status ? status : sum_of(out, path, ROW_BYTES_MAX, err);
+}
+
+void murk_sweep_load_row(murk_sweep *sweep, size_t i)
+{
+    murk_sweep_row *row = &sweep->row[i];
+    if (!row->is_done && murk_sweep_load(sweep, row->key, &row->found)) {
+        row->is_done = row->is_reused =
+            murk_sweep_has_fluence(sweep, i, &row->found);
+        if (!row->is_reused) {
+            murk_study_row_release(&row->found);
+        }
+    }
 }
 
 murk_status murk_sweep_keep(murk_sweep *sweep, const char *key,
@@ -116,20 +150,13 @@ murk_status murk_sweep_fluence_path(char out[MURK_SWEEP_PATH_SIZE],
 {
     char name[MURK_SWEEP_NAME_SIZE];
     murk_sweep_fluence_name(name, row);
-    return path_of(out, sweep, name, err);
+    return murk_sweep_path(out, sweep, name, err);
 }
 
 murk_status murk_sweep_sum(char out[MURK_ROW_SUM_SIZE], const char *path,
                            murk_error *err)
 {
-    uint64_t sum[2];
-    const murk_status status =
-        murk_file_checksum_own(path, FLUENCE_BYTES_MAX, sum, err);
-    if (!status) {
-        snprintf(out, MURK_ROW_SUM_SIZE, "%016" PRIx64 "%016" PRIx64, sum[1],
-                 sum[0]);
-    }
-    return status;
+    return sum_of(out, path, MURK_SWEEP_GRID_BYTES_MAX, err);
 }
 
 bool murk_sweep_has_fluence(const murk_sweep *sweep, size_t row,

@@ -16,10 +16,13 @@ typedef struct murk_sweep_message {
     size_t size;
 } murk_sweep_message;
 
+/* 64 GiB: more than any grid that fits in the memory of a workstation. */
+#define MURK_SWEEP_GRID_BYTES_MAX (UINT64_C(64) << 30)
+
 /* Bytes of the path of a file in the folder: as long as Linux allows. */
 #define MURK_SWEEP_PATH_SIZE 4096
 
-/* Fails if an output needs a folder and the study has none. */
+/* Fails if the part or an output needs a folder and the study has none. */
 murk_status murk_sweep_check_folder(const murk_sweep *sweep, murk_error *err);
 /* Makes the folder and rows/ in it. Without a folder nothing is stored. */
 murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err);
@@ -28,6 +31,17 @@ murk_status murk_sweep_open(const murk_sweep *sweep, murk_error *err);
  * empty then. */
 bool murk_sweep_load(const murk_sweep *sweep, const char *key,
                      murk_study_row *out);
+/* Takes over row i of the study from the store, unless the row is done. A row
+ * is only taken over with the grid of its fluence rate, if there is one. */
+void murk_sweep_load_row(murk_sweep *sweep, size_t i);
+/* The checksum of the file of a stored row. Fails as murk_file_read_own(). */
+murk_status murk_sweep_sum_row(char out[MURK_ROW_SUM_SIZE],
+                               const murk_sweep *sweep, const char *key,
+                               murk_error *err);
+/* The path of a file in the folder. Fails if it is too long. */
+murk_status murk_sweep_path(char out[MURK_SWEEP_PATH_SIZE],
+                            const murk_sweep *sweep, const char *name,
+                            murk_error *err);
 /* Stores a row under a key, unless the row failed: the next run tries a failed
  * row again. Without a folder nothing is stored. Sets sweep->cannot_keep if the
  * file cannot be written. */

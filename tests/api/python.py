@@ -120,6 +120,23 @@ def study_and_fit_agree(folder):
     subprocess.run([program, "study", study, "-o", rows, "--quiet"], check=True)
     by_python = murk.study(study)
     check(by_python["rows"] == without_run(os.path.join(rows, "study.json"))["rows"], "rows of a study")
+    parts = [os.path.join(folder, f"part-{k}") for k in (1, 2)]
+    for k, part in enumerate(parts):
+        shard = murk.study(study, folder=part, shard=(k + 1, 2))
+        check(len(shard.rows) == 1, "rows of a part")
+    merged = murk.study(study, parts=parts[::-1])
+    check(merged["rows"] == by_python["rows"] and merged.result.run.rows_kept == 2, "rows of parts")
+    for wrong in ({"folder": parts[0], "shard": (3, 2)}, {"shard": (1, 2)}, {"parts": [folder]},
+                  {"parts": parts, "keys": {"seed": 7}}, {"folder": parts[0], "shard": (1, 2), "parts": parts}):
+        try:
+            murk.study(study, **wrong)
+        except murk.Error:
+            continue
+        check(False, f"{wrong} is refused")
+    try:
+        shard.save(os.path.join(folder, "part-saved"))
+    except murk.Error as error:
+        check("a part has no results" in error.text, f"{error}")
     for name in ("study.json", "table.csv"):
         by_python.save(os.path.join(folder, "saved"))
         check(os.path.getsize(os.path.join(folder, "saved", name)) > 0, f"{name} is written")

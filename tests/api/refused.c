@@ -121,7 +121,9 @@ static void pass_null_texts(const given *g)
         {.size = sizeof *studies, .n = 1, .key = none},
         {.size = sizeof *studies, .n = 1, .value = none},
         {.size = sizeof *studies, .n = 2, .key = none, .value = none},
-        {.size = sizeof *studies, .n = 1, .key = none, .value = none + 1}};
+        {.size = sizeof *studies, .n = 1, .key = none, .value = none + 1},
+        {.size = sizeof *studies, .parts = 1},
+        {.size = sizeof *studies, .parts = 2, .part = none}};
     for (size_t i = 0; i < sizeof studies / sizeof *studies; ++i) {
         WITH_NULL(study, murk_study_read,
                   (&out, g->context, "no-such-study.yaml", &studies[i], &error))
@@ -148,7 +150,7 @@ static void pass_empty_lists(const given *g)
 {
     static const char *const none[] = {NULL};
     static const murk_study_options study = {
-        .size = sizeof study, .key = none, .value = none};
+        .size = sizeof study, .key = none, .value = none, .part = none};
     static const murk_fit_options fit = {.size = sizeof fit, .bounds = none};
     CALL(study, murk_study_read,
          (&out, g->context, "no-such-study.yaml", &study, &error),
