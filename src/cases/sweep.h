@@ -82,6 +82,16 @@ typedef struct murk_sweep_desc {
     void *context;
 } murk_sweep_desc;
 
+/* What this rank has found and the other ranks have not received yet
+ * (cases/sweep_ranks.h). */
+typedef struct murk_sweep_found {
+    char *text; /* [size] texts, each ended by '\0' */
+    size_t size;
+    bool is_shared; /* there are other ranks */
+    bool is_short_of_memory;
+    bool is_received; /* what other ranks have found is being taken over */
+} murk_sweep_found;
+
 typedef struct murk_sweep {
     murk_sweep_desc desc;
     murk_outputs outputs;
@@ -93,6 +103,7 @@ typedef struct murk_sweep {
     size_t choosers;
     bool sees_in_the_dark; /* targets take the place of light */
     bool cannot_keep;      /* the file of a row cannot be written */
+    murk_sweep_found found;
     char scene_sha256[65]; /* of the file of the base scene */
     uint32_t seed;         /* of the first row that could be read */
 } murk_sweep;

@@ -240,6 +240,7 @@ void murk_sweep_destroy(murk_sweep *sweep)
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         murk_study_row_release(&sweep->plan[p].found);
     }
+    free(sweep->found.text);
     free(sweep->group);
     free(sweep->row);
     free(sweep);

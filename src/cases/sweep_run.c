@@ -9,10 +9,12 @@
 
 #include "base/file.h"
 #include "base/progress.h"
+#include "base/ranks.h"
 #include "cases/scenario_mean.h"
 #include "cases/sweep_jobs.h"
 #include "cases/sweep_light.h"
 #include "cases/sweep_part.h"
+#include "cases/sweep_ranks.h"
 #include "cases/sweep_store.h"
 
 #include <math.h>
@@ -27,6 +29,7 @@ static murk_status put_row(murk_sweep *sweep, murk_sweep_message *message,
 {
     murk_sweep_row *row = &sweep->row[message->number];
     const murk_status status = murk_sweep_keep(sweep, row->key, message, err);
+    murk_sweep_ranks_add(sweep, message->number, &message->row);
     murk_study_row_release(&row->found);
     row->found = message->row;
     message->row = (murk_study_row){0};
@@ -86,6 +89,7 @@ static murk_status put_values(murk_sweep *sweep, murk_sweep_message *message,
 {
     char key[65];
     murk_progress_add_to_group(1);
+    murk_sweep_ranks_add(sweep, message->number, &message->row);
     murk_status status = add_values(sweep, message->number, &message->row, err);
     if (!status) {
         sign_values(sweep, message->number, key);
@@ -122,16 +126,23 @@ static murk_status run_group(murk_sweep *sweep, murk_sweep_group *group,
     return status;
 }
 
+/* Runs the groups one after the other, or deals them to ranks. */
 static murk_status run_groups(murk_sweep *sweep, bool measures_plans,
                               murk_error *err)
 {
-    murk_status status = MURK_OK;
-    for (size_t g = 0; g < sweep->groups && !status; ++g) {
+    murk_deal deal;
+    uint64_t g = 0;
+    murk_status status = murk_ranks_deal(&deal, MURK_OK, err);
+    const murk_ranks *ranks = murk_ranks_leave();
+    while (!status && (g = murk_ranks_take(&deal)) < sweep->groups) {
         if (murk_sweep_owns(sweep, sweep->group[g].row[0])) {
             status = run_group(sweep, &sweep->group[g], measures_plans, err);
         }
     }
-    return status;
+    murk_ranks_return(ranks);
+    return murk_sweep_ranks_exchange(sweep, sweep->desc.study->rows,
+                                     measures_plans ? put_values : put_row,
+                                     status, err);
 }
 
 /* ---- plans for all rows ---- */
@@ -193,10 +204,30 @@ static murk_status put_plan(murk_sweep *sweep, murk_sweep_message *message,
     return status;
 }
 
+/* Has the plans chosen that no earlier run stored. */
+static murk_status choose_plans(murk_sweep *sweep, murk_error *err)
+{
+    murk_error why = {0};
+    const murk_status status =
+        murk_sweep_process(sweep, &murk_sweep_choose_job, sweep,
+                           MURK_SWEEP_PLANS, put_plan, &why, err);
+    for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
+        murk_sweep_plan *plan = &sweep->plan[p];
+        if (!plan->is_wanted || plan->is_reused) {
+            continue;
+        }
+        /* A plan that the subprocess did not reach has failed. */
+        if (why.code && plan->found.sensors == 0) {
+            murk_study_row_fail(&plan->found, &why);
+        }
+        murk_sweep_ranks_add(sweep, (size_t)p, &plan->found);
+    }
+    return status;
+}
+
 /* Takes over the plans that an earlier run stored and has the others chosen. */
 static murk_status make_plans(murk_sweep *sweep, murk_error *err)
 {
-    murk_error why = {0};
     bool is_any_missing = false;
     for (int p = 0; p < MURK_SWEEP_PLANS; ++p) {
         murk_sweep_plan *plan = &sweep->plan[p];
@@ -204,20 +235,16 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
             plan->is_wanted && murk_sweep_load(sweep, plan->key, &plan->found);
         is_any_missing |= plan->is_wanted && !plan->is_reused;
     }
-    if (sweep->choosers == 0 || !is_any_missing) {
-        return MURK_OK;
+    /* No rank stores a plan before all have looked for stored ones. */
+    murk_status status = murk_ranks_agree(MURK_OK, err);
+    if (sweep->choosers == 0 || !is_any_missing || status) {
+        return status;
     }
-    const murk_status status =
-        murk_sweep_process(sweep, &murk_sweep_choose_job, sweep,
-                           MURK_SWEEP_PLANS, put_plan, &why, err);
-    /* A plan that the subprocess did not reach has failed. */
-    for (int p = 0; p < MURK_SWEEP_PLANS && why.code; ++p) {
-        murk_sweep_plan *plan = &sweep->plan[p];
-        if (plan->is_wanted && !plan->is_reused && plan->found.sensors == 0) {
-            murk_study_row_fail(&plan->found, &why);
-        }
+    if (murk_ranks_number() == 0) {
+        status = choose_plans(sweep, err);
     }
-    return status;
+    return murk_sweep_ranks_exchange(sweep, MURK_SWEEP_PLANS, put_plan, status,
+                                     err);
 }
 
 /* Takes over the coverages of the plans that an earlier run stored; if no plan
@@ -273,6 +300,7 @@ static murk_status plan_for_all(murk_sweep *sweep, murk_error *err)
     murk_status status = make_plans(sweep, err);
     if (!status) {
         status = load_values(sweep, err);
+        status = murk_ranks_agree(status, err); /* before any is stored */
     }
     if (!status) {
         status = run_groups(sweep, true, err);
@@ -297,12 +325,14 @@ murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
 {
     const size_t rows = murk_sweep_owned(sweep), done = owned_done(sweep);
     murk_status status = done < rows ? murk_isolated_check(err) : MURK_OK;
-    if (!status) {
+    const bool is_first = murk_ranks_number() == 0;
+    if (!status && is_first) {
         status = murk_sweep_open(sweep, err);
     }
-    if (!status) {
+    if (!status && is_first) {
         status = murk_sweep_parts_copy(sweep, err);
     }
+    status = murk_sweep_ranks_begin(sweep, status, err);
     if (status) {
         return status;
     }
@@ -314,7 +344,7 @@ murk_status murk_sweep_run(murk_sweep *sweep, murk_error *err)
     murk_progress_part(0, 0, 0);
     murk_progress_end();
     if (!status && sweep->desc.shard.count) {
-        return murk_sweep_part_write(sweep, err);
+        return is_first ? murk_sweep_part_write(sweep, err) : MURK_OK;
     }
     if (!status) {
         murk_progress_begin_group("plans for all", rows, "rows");

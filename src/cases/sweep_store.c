@@ -126,7 +126,8 @@ murk_status murk_sweep_keep(murk_sweep *sweep, const char *key,
                             const murk_sweep_message *message, murk_error *err)
 {
     char path[MURK_SWEEP_PATH_SIZE];
-    if (!sweep->desc.folder || message->row.failed[0]) {
+    if (!sweep->desc.folder || message->row.failed[0] ||
+        sweep->found.is_received) { /* the rank that ran the row stores it */
         return MURK_OK;
     }
     murk_status status = row_path(path, sweep, key, err);
