@@ -168,8 +168,9 @@ const murk_command murk_commands[] = {
      .example = {{"murk report out", "The page of what lies in out."}},
      .file = {{"report.html", "the page"}}},
     {"merge", "DIR... [-o DIR]", "put the parts of a run together",
-     "Puts parts together that murk trace --shard K/N wrote on any machines, "
-     "and writes the files of a single run, in every bit but for the times in "
+     "Puts parts together that murk trace --shard K/N or murk fit --shard K/N "
+     "wrote on any machines, and writes the files of a single run, in every "
+     "bit but for the times in "
      "`run`. Folders may come in any order and more than once. What is in no "
      "part is computed now, with a warning that names the missing parts. Parts "
      "of another scene, of other options or of another version of murk are "
@@ -183,6 +184,7 @@ const murk_command murk_commands[] = {
                   "The light that a single run would have traced."}},
      .file = {{"part.txt", "of a part: the command, and which part it is"},
               {"light.part", "of a part of murk trace: the photons"},
+              {"starts.part", "of a part of murk fit: the searches"},
               LIGHT_FILES}},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
      "Traces the one photon again, event by event: a photon is a pure function "

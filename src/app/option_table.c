@@ -77,7 +77,7 @@ const murk_option murk_option_table[] = {
      "and how far the plan (that of the first seed) may be from the best; "
      "repeat.csv has a row a seed",
      COUNT(1, 10000), .setting = "runs", .part = MURK_OPTION_AS_TEXT},
-    {"--shard", NULL, "K/N", "trace",
+    {"--shard", NULL, "K/N", "trace fit",
      "do part K of N of the work, on this machine, and write the part into DIR "
      "(-o); murk merge puts the parts together to the results of a single run",
      OWN(murk_option_shard), .setting = "shard", .is_left_out = true},

@@ -3,6 +3,9 @@
 #ifndef MURK_BASE_SHARD_H
 #define MURK_BASE_SHARD_H
 
+#include "base/status.h"
+
+#include <stdbool.h>
 #include <stdint.h>
 
 #define MURK_SHARDS_MAX 100000 /* of a run; a choice */
@@ -11,5 +14,16 @@ typedef struct murk_shard {
     uint32_t number; /* 1..count */
     uint32_t count;  /* 0: the run is not divided */
 } murk_shard;
+
+/* Fails with MURK_BAD_VALUE, at the place "shard", if there is no such shard.
+ */
+murk_status murk_shard_check(murk_shard shard, murk_error *err);
+
+/* Warns of the parts for which has_part(of, number) is false, of which the
+ * first few are named. `now` says what happens to their work. */
+void murk_shards_warn_of_missing(bool (*has_part)(const void *of,
+                                                  uint32_t number),
+                                 const void *of, uint32_t count,
+                                 const char *now);
 
 #endif

@@ -8,6 +8,7 @@
 #include "base/stats.h"
 #include "calibrate/search.h"
 #include "calibrate/slope_noise.h"
+#include "calibrate/start_parts.h"
 #include "calibrate/verdict.h"
 
 #include <math.h>
@@ -312,6 +313,28 @@ static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s,
            murk_chi2_upper(best->cost, freedom) < MURK_FIT_REFUSED;
 }
 
+/* True if start i is to be run here: it is one of the shard, and in no part. */
+static bool is_due(const murk_calibration *out, const murk_fit_search *s,
+                   size_t i)
+{
+    const murk_shard shard = s->desc->shard;
+    const bool is_mine =
+        i == 0 || !shard.count || (i - 1) % shard.count == shard.number - 1;
+    return is_mine && !out->start[i].has_ended;
+}
+
+/* Lets further starts follow the light of start 0. */
+static murk_status share_light(murk_calibration *out, murk_fit_search *s,
+                               murk_error *err)
+{
+    const murk_status status = murk_fit_return(out, s, 0, err);
+    s->scouting = s->whitening;
+    s->whitening = NULL;
+    s->cost_to_beat = out->start[0].cost;
+    s->shares_light = true;
+    return status;
+}
+
 /* Runs the requested starts. Start 0 traces light. Each other one follows that
  * light and depends on nothing else, so the starts may run in any order. Those
  * that have to trace light do so when all have followed the light of start
@@ -320,15 +343,14 @@ static murk_status run_starts(murk_calibration *out, murk_fit_search *s,
                               murk_error *err)
 {
     const size_t asked = starts_asked(s->desc);
-    murk_status status = murk_fit_start(out, s, 0, err);
-    if (!status && asked > 1) {
-        s->scouting = s->whitening;
-        s->whitening = NULL;
-        s->cost_to_beat = out->start[0].cost;
-        s->shares_light = true;
-    }
+    murk_status status =
+        is_due(out, s, 0) ? murk_fit_start(out, s, 0, err) : MURK_OK;
     for (size_t i = 1; i < asked && !status; ++i) {
-        status = murk_fit_start(out, s, i, err);
+        if (!is_due(out, s, i)) {
+            continue;
+        }
+        status = s->shares_light ? MURK_OK : share_light(out, s, err);
+        status = status ? status : murk_fit_start(out, s, i, err);
     }
     s->shares_light = false;
     for (size_t i = 1; i < asked && !status; ++i) {
@@ -340,7 +362,7 @@ static murk_status run_starts(murk_calibration *out, murk_fit_search *s,
 }
 
 /* Runs restarts with light of their own, while the best start is doubtful.
- * *done: number of starts that were run. */
+ * *done: number of starts and restarts. */
 static murk_status run_restarts(murk_calibration *out, murk_fit_search *s,
                                 size_t *done, murk_error *err)
 {
@@ -348,7 +370,8 @@ static murk_status run_restarts(murk_calibration *out, murk_fit_search *s,
     *done = starts_asked(s->desc);
     while (*done < out->starts && !status &&
            is_doubtful(out, s, murk_fit_best(out, *done))) {
-        status = murk_fit_start(out, s, *done, err);
+        status = is_due(out, s, *done) ? murk_fit_start(out, s, *done, err)
+                                       : MURK_OK;
         *done += !status;
     }
     return status;
@@ -416,6 +439,9 @@ static murk_status run(murk_calibration *out, murk_fit_search *s,
     }
     out->starts_done = done;
     out->best = murk_fit_best(out, done);
+    if (s->desc->shard.count) {
+        return MURK_OK; /* the starts of a part alone */
+    }
     status = return_to_best(out, s, err);
     return status ? status : fill_result(out, s, err);
 }
@@ -439,8 +465,13 @@ murk_status murk_calibrate(murk_calibration *out,
         (status = murk_fit_search_create(&search, desc, out->model, err))) {
         goto done;
     }
-    status = desc->only_predicts ? only_predict(out, &search, err)
-                                 : run(out, &search, err);
+    if (desc->parts > 0) {
+        status = murk_start_parts_read(out, &search, err);
+    }
+    if (!status) {
+        status = desc->only_predicts ? only_predict(out, &search, err)
+                                     : run(out, &search, err);
+    }
 done:
     if (out->model) {
         const murk_model_facts *facts = murk_model_facts_of(out->model);
@@ -448,5 +479,22 @@ done:
         out->trace_s = facts->trace_s;
     }
     murk_fit_search_release(&search);
+    return status;
+}
+
+murk_status murk_calibrate_part(const murk_calibration_desc *desc,
+                                const char *path, murk_error *err)
+{
+    murk_calibration found = {0};
+    murk_status status = murk_shard_check(desc->shard, err);
+    if (!status && (desc->only_predicts || desc->starts == 1)) {
+        status = murk_fail(err, MURK_BAD_VALUE, "shard",
+                           "divides the starts of a fit, and %s",
+                           desc->only_predicts ? "a prediction has none"
+                                               : "there is only one");
+    }
+    status = status ? status : murk_calibrate(&found, desc, err);
+    status = status ? status : murk_start_part_write(&found, desc, path, err);
+    murk_calibration_release(&found);
     return status;
 }

@@ -3,6 +3,7 @@
 #define MURK_CALIBRATE_CALIBRATION_H
 
 #include "base/arena.h"
+#include "base/shard.h"
 #include "calibrate/model.h"
 #include "fit/certainty.h"
 #include "fit/least_squares.h"
@@ -34,6 +35,13 @@ typedef struct murk_calibration_desc {
     unsigned threads;
     uint32_t seed;      /* for the values of further starts */
     bool only_predicts; /* predict the rows at the start values; no search */
+    /* Parts of a fit. */
+    const murk_scene_desc *scene; /* to which parts belong */
+    murk_shard shard; /* count above 0: run the starts of this shard, and
+                       * compute no other results */
+    const char *const
+        *part; /* [parts]; files with starts that are taken over */
+    size_t parts;
     /* Called for the start of least squares and after each successful step with
      * the cost (chi2, or less with a robust loss) and the values, in the thread
      * of the caller; may be NULL. */

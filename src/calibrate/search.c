@@ -427,14 +427,20 @@ static murk_status run(murk_calibration *out, murk_fit_search *s, size_t i,
     return MURK_OK;
 }
 
+/* Fills the values from which start i begins. */
+static void set_start(murk_calibration *out, const murk_fit_search *s, size_t i)
+{
+    for (size_t k = 0; k < out->n; ++k) {
+        out->start[i].from[k] =
+            start_of(&s->desc->keys->key[k], s->desc->seed, i, k);
+    }
+}
+
 murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
                            murk_error *err)
 {
-    murk_calibration_start *start = &out->start[i];
-    for (size_t k = 0; k < out->n; ++k) {
-        start->from[k] = start_of(&s->desc->keys->key[k], s->desc->seed, i, k);
-    }
-    murk_fit_search_coordinates(s, start->from, s->x);
+    set_start(out, s, i);
+    murk_fit_search_coordinates(s, out->start[i].from, s->x);
     return run(out, s, i, INFINITY, err);
 }
 
@@ -445,6 +451,13 @@ murk_status murk_fit_resume(murk_calibration *out, murk_fit_search *s, size_t i,
     memcpy(s->x, start->x, s->n * sizeof *s->x);
     memcpy(s->before, start->before, s->n * sizeof *s->before);
     return run(out, s, i, start->lowest, err);
+}
+
+void murk_fit_complete(murk_calibration *out, const murk_fit_search *s,
+                       size_t i)
+{
+    set_start(out, s, i);
+    murk_fit_search_values(s, out->start[i].x, out->start[i].to);
 }
 
 murk_status murk_fit_return(const murk_calibration *out, murk_fit_search *s,

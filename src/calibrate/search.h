@@ -27,6 +27,10 @@ murk_status murk_fit_start(murk_calibration *out, murk_fit_search *search,
 murk_status murk_fit_resume(murk_calibration *out, murk_fit_search *search,
                             size_t i, murk_error *err);
 
+/* Fills `from` and `to` of search i, which another process has run. */
+void murk_fit_complete(murk_calibration *out, const murk_fit_search *search,
+                       size_t i);
+
 /* Evaluates the rows at the end of search i, which has one, with the light that
  * the search ended with; traces that light again if it is not at hand. Light is
  * a function of the values and the seed, so the bits are those of the search.
