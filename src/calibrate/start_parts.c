@@ -167,6 +167,7 @@ static murk_status check_owner(const part *p, const murk_calibration_desc *desc,
 {
     const murk_section *scene = find(p, "scene"), *files = find(p, "files"),
                        *options = find(p, "options");
+    /* The version, then the scene, its files, the readings and the options. */
     if (!scene || !files || !options) {
         return bad_part(p, "the scene is missing", err);
     }
@@ -218,7 +219,7 @@ static bool is_text(const char *text, size_t size)
 static bool is_record(const record *r, const double *points,
                       const murk_calibration *out, const murk_shard *shard)
 {
-    const uint64_t most = INT_MAX / (uint64_t)out->starts;
+    const uint64_t count_max = INT_MAX / (uint64_t)out->starts;
     const bool has_end = !isnan(r->chi2);
     return r->number < out->starts &&
            (r->number == 0 ||
@@ -226,9 +227,10 @@ static bool is_record(const record *r, const double *points,
            (r->number > 0 || (has_end && r->traces > 0)) &&
            (!has_end || (r->chi2 >= 0 && isfinite(r->chi2) && r->cost >= 0 &&
                          isfinite(r->cost))) &&
-           r->converged <= 1 && r->traces <= most && r->lights <= most &&
-           r->evaluations <= most && r->iterations <= most &&
-           is_text(r->why, sizeof r->why) && are_finite(points, 2 * out->n);
+           r->converged <= 1 && r->traces <= count_max &&
+           r->lights <= count_max && r->evaluations <= count_max &&
+           r->iterations <= count_max && is_text(r->why, sizeof r->why) &&
+           are_finite(points, 2 * out->n);
 }
 
 /* Finds the records and points of the part, and checks them. */
@@ -307,6 +309,7 @@ static murk_status take_part(murk_calibration *out,
         const record *r = &p->record[i];
         const double *points = p->point + i * 2 * n;
         murk_calibration_start *start = &out->start[r->number];
+        /* Compare with the search of a part before. */
         if (start->has_ended && !is_same(start, r, points, n)) {
             return murk_fail(
                 err, MURK_BAD_VALUE, p->path,
@@ -314,6 +317,7 @@ static murk_status take_part(murk_calibration *out,
                 "before",
                 (unsigned long long)r->number + 1);
         }
+        /* Take it over. */
         start->has_ended = true;
         start->converged = r->converged != 0;
         start->traces = (size_t)r->traces;
@@ -346,6 +350,7 @@ murk_status murk_start_parts_read(murk_calibration *out,
     uint32_t count = 0;
     murk_status status = name_owner(&names, desc, err);
     for (size_t i = 0; i < desc->parts && !status; ++i) {
+        /* Read and check a part; the first gives the number of parts. */
         part p = {.path = desc->part[i]};
         status = read_part(&p, out, desc, &names, err);
         if (!status && !has) {
@@ -358,6 +363,7 @@ murk_status murk_start_parts_read(murk_calibration *out,
                                "part %u of %u, other parts are of %u",
                                p.facts.number, p.facts.count, count);
         }
+        /* Take over the searches of the part. */
         if (!status) {
             has[p.facts.number - 1] = true;
             status = take_part(out, search, &p, err);
