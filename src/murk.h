@@ -1113,6 +1113,27 @@ murk_status murk_fit_check_save(murk_fit *fit, const char *folder,
 murk_status murk_fit_run(murk_fit *fit, murk_error *error);
 void murk_fit_destroy(murk_fit *fit);
 
+/* Runs a part of the searches of a fit, for machines without a common memory,
+ * and writes the part to a file: of `count` parts, numbered from 1 to 100000 at
+ * most, each has the first search, on which the others depend, and part
+ * `number` every count-th of the others. The parts of a fit together are the
+ * fit in every bit (murk_fit_merge()). The fit itself has not run afterwards.
+ * Fails as murk_fit_run(), with MURK_BAD_VALUE if there is no such part, if the
+ * fit has one search or predicts, and with MURK_RUN_FAILED if the file cannot
+ * be written. */
+murk_status murk_fit_run_part(murk_fit *fit, uint32_t number, uint32_t count,
+                              const char *path, murk_error *error);
+
+/* Finds the values of the keys as murk_fit_run(), with searches from n files of
+ * parts, in any order; a part may be there several times. Searches of missing
+ * parts are run, with a warning. Fails as murk_fit_run(), with MURK_BAD_FILE
+ * for a file that is no part of a fit or is damaged, and with MURK_BAD_VALUE
+ * for a part of another scene, of other readings, keys, options, number of
+ * parts or version of murk, for searches that differ between parts, and if the
+ * fit predicts. */
+murk_status murk_fit_merge(murk_fit *fit, const char *const *path, size_t n,
+                           murk_error *error);
+
 /* *fields: those of fit.json, or with options->predict of predict.json. Fails
  * with MURK_BAD_VALUE before murk_fit_run() has succeeded. */
 murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,

@@ -29,6 +29,22 @@ def _release(user: Any) -> None:
     _in_use.pop(int(ffi.cast("uintptr_t", user)), None)
 
 
+def _prepared_fit(scene: Scene, data: Path, free: Sequence[str], bounds: Mapping[str, Bounds] | None = None,
+                  loss: str | None = None, predict: Path | None = None, **numbers: int) -> Any:
+    """The handle of a fit that has not run."""
+    # Strings and arrays live as long as the call.
+    keys = [c_text(key) for key in free]
+    limits = [c_text(f"{key}={'' if low is None else low}:{'' if high is None else high}")
+              for key, (low, high) in (bounds or {}).items()]
+    kept = ffi.new("const char *[]", limits), c_text(loss), c_text(predict)
+    options = ffi.new("murk_fit_options *", {"size": ffi.sizeof("murk_fit_options"), "n_bounds": len(limits), **numbers})
+    options.bounds, options.loss, options.predict = kept
+    out = ffi.new("murk_fit **")
+    call_long(scene.context, lib.murk_fit_create, out, scene.c, c_text(data), ffi.new("const char *[]", keys),
+              len(keys), options)
+    return ffi.gc(out[0], lib.murk_fit_destroy)
+
+
 class Fit(Fielded):
     """A calibration: `result` has the fields of fit.json, each of which is an attribute, too.
 
@@ -42,20 +58,17 @@ class Fit(Fielded):
     """
 
     def __init__(self, scene: Scene, data: Path, free: Sequence[str], bounds: Mapping[str, Bounds] | None = None,
-                 loss: str | None = None, predict: Path | None = None, **numbers: int) -> None:
+                 loss: str | None = None, predict: Path | None = None, parts: Sequence[Path] | None = None,
+                 **numbers: int) -> None:
         self.context = scene.context
-        # Strings and arrays live as long as the calls.
-        keys = [c_text(key) for key in free]
-        limits = [c_text(f"{key}={'' if low is None else low}:{'' if high is None else high}")
-                  for key, (low, high) in (bounds or {}).items()]
-        kept = ffi.new("const char *[]", limits), c_text(loss), c_text(predict)
-        options = ffi.new("murk_fit_options *", {"size": ffi.sizeof("murk_fit_options"), "n_bounds": len(limits), **numbers})
-        options.bounds, options.loss, options.predict = kept
-        out = ffi.new("murk_fit **")
-        call_long(self.context, lib.murk_fit_create, out, scene.c, c_text(data), ffi.new("const char *[]", keys),
-                  len(keys), options)
-        self.c = ffi.gc(out[0], lib.murk_fit_destroy)
-        call_long(self.context, lib.murk_fit_run, self.c)
+        self.c = _prepared_fit(scene, data, free, bounds, loss, predict, **numbers)
+        if parts is None:
+            call_long(self.context, lib.murk_fit_run, self.c)
+        else:
+            if isinstance(parts, (str, bytes)) or len(parts) == 0:
+                raise Error("must be a list of paths", where="argument parts")
+            paths = [c_text(part) for part in parts]  # live as long as the call
+            call_long(self.context, lib.murk_fit_merge, self.c, ffi.new("const char *[]", paths), len(paths))
         self.result = result_of(lib.murk_fit_fields, self.c)
 
     def save(self, folder: Path, replace: bool = False) -> None:
@@ -289,18 +302,35 @@ class Scene:
 
     def fit(self, data: Path, free: Sequence[str] = (), bounds: Mapping[str, Bounds] | None = None,
             loss: str | None = None, starts: int = 0, traces: int = 0, next: int = 0,
-            predict: Path | None = None) -> Fit:
+            predict: Path | None = None, parts: Sequence[Path] | None = None) -> Fit:
         """Calibrates keys to the readings of a CSV file: Fit.
 
         data: columns of murk-data(5). free: paths of keys; "KEY@each" is one value a condition, "gain.NAME" a factor
         of readings. bounds: the least and the largest value of a key, None for none. loss: "none", "huber" or "cauchy",
         the last two also with a width in standard errors, "huber:1.345". starts, traces: of the search; 0: 4 and 12.
         next: proposes so many places for further readings. predict: a fit.json, at whose values the readings are
-        predicted; then nothing is fitted. Raises Error if a reading or a key does not fit the scene.
+        predicted; then nothing is fitted. parts: files of `fit_part()` with searches of this fit, in any order; those of
+        missing parts are run, with a warning. Raises Error if a reading or a key does not fit the scene.
 
         Example: `fit = scene.fit("fog.csv", ["media.fog.extinction_per_m", "media.fog.phase.hg"])`.
         """
-        return Fit(self, data, free, bounds, loss, predict, starts=starts, traces=traces, next=next)
+        return Fit(self, data, free, bounds, loss, predict, parts, starts=starts, traces=traces, next=next)
+
+    def fit_part(self, number: int, count: int, path: Path, data: Path, free: Sequence[str],
+                 bounds: Mapping[str, Bounds] | None = None, loss: str | None = None, starts: int = 0,
+                 traces: int = 0) -> None:
+        """Runs part `number`, from 1, of `count` parts of the searches of a fit, and writes the part to a file.
+
+        For machines without a common memory: `fit()` with `parts` puts the parts together, to equal results in every
+        bit. Other arguments: as of `fit()`, and equal for all parts. Raises Error. Source: `murk fit --shard`.
+
+        Example: `scene.fit_part(2, 4, "part-2", "fog.csv", ["media.fog.extinction_per_m"])`.
+        """
+        for name, value in (("number", number), ("count", count)):
+            if not 0 <= value < 2**32:
+                raise Error(f"{value}, must be 1 to 100000", where=f"argument {name}")
+        fit = _prepared_fit(self, data, free, bounds, loss, starts=starts, traces=traces)
+        call_long(self.context, lib.murk_fit_run_part, fit, number, count, c_text(path))
 
     def study(self, axes: Mapping[str, Any], outputs: Sequence[str] = (), folder: Path | None = None,
               **keys: Any) -> Study:

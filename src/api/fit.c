@@ -293,9 +293,7 @@ static void tell_memory(void *context, double bytes, double have_bytes)
     }
 }
 
-/* Fits, or predicts; then proposes places for further readings, if any are
- * wanted. */
-static murk_status run(murk_fit *f, murk_error *err)
+static murk_calibration_desc desc_of(const murk_fit *f)
 {
     murk_calibration_desc desc = f->desired;
     desc.keys = f->keys;
@@ -306,6 +304,18 @@ static murk_status run(murk_fit *f, murk_error *err)
     desc.only_predicts = f->predict != NULL;
     desc.watch = tell_step;
     desc.forecast = tell_memory;
+    desc.scene = f->session.scene;
+    return desc;
+}
+
+/* Fits, or predicts; then proposes places for further readings, if any are
+ * wanted. path[n]: parts of the fit. */
+static murk_status run(murk_fit *f, const char *const *path, size_t n,
+                       murk_error *err)
+{
+    murk_calibration_desc desc = desc_of(f);
+    desc.part = path;
+    desc.parts = n;
     murk_progress_begin_group("fit", 0, "steps");
     murk_status status = murk_calibrate(&f->found, &desc, err);
     murk_progress_end();
@@ -320,16 +330,49 @@ static murk_status run(murk_fit *f, murk_error *err)
     return status;
 }
 
-murk_status murk_fit_run(murk_fit *f, murk_error *error)
+static murk_status run_fit(murk_fit *f, const char *const *path, size_t n,
+                           murk_error *error)
 {
-    if (!f || f->has_run) {
-        return murk_call_refuse(error, "fit is NULL, or has run");
-    }
     murk_proposals_release(&f->next);
     murk_calibration_release(&f->found);
     f->found = (murk_calibration){0};
     murk_call call = murk_call_begin(f->scene->context, &f->files, error);
-    return murk_call_end_long(&call, run(f, &call.failure));
+    return murk_call_end_long(&call, run(f, path, n, &call.failure));
+}
+
+murk_status murk_fit_run(murk_fit *f, murk_error *error)
+{
+    return f && !f->has_run
+               ? run_fit(f, NULL, 0, error)
+               : murk_call_refuse(error, "fit is NULL, or has run");
+}
+
+murk_status murk_fit_merge(murk_fit *f, const char *const *path, size_t n,
+                           murk_error *error)
+{
+    bool has_paths = path && n > 0;
+    for (size_t i = 0; has_paths && i < n; ++i) {
+        has_paths = path[i] != NULL;
+    }
+    return f && !f->has_run && !f->predict && has_paths
+               ? run_fit(f, path, n, error)
+               : murk_call_refuse(error, "fit or a path is NULL, or the fit "
+                                         "has run, or predicts");
+}
+
+murk_status murk_fit_run_part(murk_fit *f, uint32_t number, uint32_t count,
+                              const char *path, murk_error *error)
+{
+    if (!f || !path) {
+        return murk_call_refuse(error, "fit or path is NULL");
+    }
+    murk_calibration_desc desc = desc_of(f);
+    desc.shard = (murk_shard){number, count};
+    murk_call call = murk_call_begin(f->scene->context, &f->files, error);
+    murk_progress_begin_group("fit", 0, "steps");
+    const murk_status status = murk_calibrate_part(&desc, path, &call.failure);
+    murk_progress_end();
+    return murk_call_end_long(&call, status);
 }
 
 static murk_fit_facts facts_of(const murk_fit *f)

@@ -1,12 +1,19 @@
 /* murk fit: calibrates the scene to measurements, or predicts the measurements,
- * and writes the results. */
+ * and writes the results; or, with --shard, a part of the searches. */
 #include "app/given.h"
+#include "app/part.h"
 #include "app/show.h"
 
 #include "base/log.h"
 
+#include <stdlib.h>
+
+/* starts.part begins with the mark of light.murk. */
+static const murk_part_result starts_part = {"starts.part", "\x8dmurk"};
+
 static murk_status check_options(const murk_options *o, murk_error *err)
 {
+    /* The readings, and what is to be found. */
     if (!o->fit.data) {
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "fit needs --data FILE, a CSV of what was measured");
@@ -20,6 +27,17 @@ static murk_status check_options(const murk_options *o, murk_error *err)
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "fit needs --free KEY, the scene's keys to be found "
                          "(or --predict FIT.json)");
+    }
+    /* Searches that can be divided. */
+    if (o->shard.count && o->fit.predict) {
+        return murk_fail(err, MURK_BAD_VALUE, "--shard",
+                         "divides the searches of a fit, and --predict has "
+                         "none");
+    }
+    if (o->shard.count && murk_option_number(o, "--starts", 0) == 1) {
+        return murk_fail(err, MURK_BAD_VALUE, "--shard",
+                         "divides the searches of a fit, and --starts 1 is one "
+                         "alone");
     }
     return MURK_OK;
 }
@@ -44,10 +62,45 @@ static murk_status prepare(murk_fit **fit, const murk_options *o,
         status = murk_fit_create(fit, scene, o->fit.data, o->fit.free.word,
                                  o->fit.free.n, &options, err);
     }
-    if (!status) {
+    if (!status && !o->shard.count) {
         status = murk_fit_check_save(*fit, o->out, &save->options, err);
     }
     murk_scene_destroy(scene);
+    return status;
+}
+
+/* Runs a part of the searches, and writes the part. */
+static murk_status run_part(murk_fit *fit, const murk_options *options,
+                            murk_error *err)
+{
+    char *path = NULL;
+    murk_status status = murk_part_begin(&path, options, &starts_part, err);
+    if (!status) {
+        status = murk_fit_run_part(fit, options->shard.number,
+                                   options->shard.count, path, err);
+    }
+    if (!status) {
+        status = murk_part_end(options, err);
+    }
+    free(path);
+    return status;
+}
+
+/* Runs the fit, with the searches of parts that are merged. */
+static murk_status run(murk_fit *fit, const murk_options *options,
+                       murk_error *err)
+{
+    if (!options->merges) {
+        return murk_fit_run(fit, err);
+    }
+    char **paths = NULL;
+    murk_status status =
+        murk_part_paths(&paths, options, starts_part.name, err);
+    if (!status) {
+        status = murk_fit_merge(fit, (const char *const *)paths,
+                                options->merges->inputs.n, err);
+    }
+    murk_part_paths_release(paths, options);
     return status;
 }
 
@@ -77,8 +130,12 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
     if (!status) {
         status = prepare(&fit, options, &save, err);
     }
+    if (!status && options->shard.count) {
+        status = run_part(fit, options, err);
+        goto done;
+    }
     if (!status) {
-        status = murk_fit_run(fit, err);
+        status = run(fit, options, err);
     }
     if (!status) {
         status = murk_fit_save(fit, options->out, &save.options, &saved, err);
@@ -89,6 +146,7 @@ murk_status murk_command_fit(const murk_options *options, murk_error *err)
         warn_of_refusal(options, saved);
         murk_show_run(options, saved);
     }
+done:
     murk_fit_destroy(fit);
     murk_given_save_end(&save);
     return status;

@@ -170,7 +170,7 @@ const murk_command murk_commands[] = {
      .example = {{"murk report out", "The page of what lies in out."}},
      .file = {{"report.html", "the page"}}},
     {"merge", "DIR... [-o DIR]", "put the parts of a run together",
-     "Puts parts together that --shard K/N of murk trace, study or place "
+     "Puts parts together that --shard K/N of murk trace, study, fit or place "
      "--repeat wrote on any machines, and writes the files of a single run, in "
      "every bit but for the times in "
      "`run`. Folders may come in any order and more than once. What is in no "
@@ -188,6 +188,7 @@ const murk_command murk_commands[] = {
               {"light.part", "of a part of murk trace: the photons"},
               {"repeat.part", "of a part of murk place: a record a seed"},
               {"study.part", "of a part of murk study: which rows it has"},
+              {"starts.part", "of a part of murk fit: the searches"},
               LIGHT_FILES}},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",
      "Traces the one photon again, event by event: a photon is a pure function "

@@ -8,6 +8,7 @@
 #include "base/stats.h"
 #include "calibrate/search.h"
 #include "calibrate/slope_noise.h"
+#include "calibrate/start_parts.h"
 #include "calibrate/verdict.h"
 
 #include <math.h>
@@ -39,7 +40,7 @@ static murk_status allocate(murk_calibration *out, size_t n, size_t rows,
     for (size_t i = 0; i < sizeof of_pairs / sizeof *of_pairs; ++i) {
         *of_pairs[i] = murk_arena_array(arena, n * n, sizeof(double));
     }
-    /* Other arrays; each start has two of its own. */
+    /* Other arrays; each start has some of its own. */
     out->n = n;
     out->fitted = n;
     out->starts = starts;
@@ -47,9 +48,13 @@ static murk_status allocate(murk_calibration *out, size_t n, size_t rows,
     out->row = murk_arena_array(arena, rows, sizeof *out->row);
     out->start = murk_arena_array(arena, starts, sizeof *out->start);
     for (size_t i = 0; i < starts && out->start; ++i) {
-        out->start[i].from = murk_arena_array(arena, n, sizeof(double));
-        out->start[i].to = murk_arena_array(arena, n, sizeof(double));
-        out->start[i].chi2 = NAN;
+        murk_calibration_start *start = &out->start[i];
+        double **const of_start[] = {&start->from, &start->to, &start->x,
+                                     &start->lit, &start->before};
+        for (size_t k = 0; k < sizeof of_start / sizeof *of_start; ++k) {
+            *of_start[k] = murk_arena_array(arena, n, sizeof(double));
+        }
+        start->chi2 = NAN;
     }
     return arena->is_short ? murk_no_memory(err, "", "for the fit") : MURK_OK;
 }
@@ -278,6 +283,7 @@ static murk_status only_predict(murk_calibration *out, murk_fit_search *s,
     status = status ? status : fill_rows(out, s, err);
     if (!status) {
         judge_held_out(out, s);
+        out->traces = murk_model_facts_of(s->model)->traces;
         out->effective_share = s->share;
         out->chi2 = NAN;
         snprintf(out->why, sizeof out->why, "nothing was fitted");
@@ -290,13 +296,14 @@ static size_t starts_asked(const murk_calibration_desc *desc)
     return desc->starts ? desc->starts : MURK_FIT_STARTS;
 }
 
-/* True if the best start so far may be a false minimum: for a correct model a
- * cost of at least this size has a probability below MURK_FIT_REFUSED, or a
+/* True if the end of start `number` may be a false minimum: for a correct model
+ * a cost of at least this size has a probability below MURK_FIT_REFUSED, or a
  * value ended at a bound. The cost includes the robust loss, because outliers
  * that the user asked to tolerate are no reason to search again. */
-static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
+static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s,
+                        size_t number)
 {
-    const murk_calibration_start *best = &out->start[out->best];
+    const murk_calibration_start *best = &out->start[number];
     size_t at_bound = 0;
     for (size_t k = 0; k < out->n; ++k) {
         at_bound += is_at_bound(&s->desc->keys->key[k], best->to[k]);
@@ -306,42 +313,136 @@ static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s)
            murk_chi2_upper(best->cost, freedom) < MURK_FIT_REFUSED;
 }
 
-/* Runs the starts, then restarts, and returns to the best. */
+/* True if start i is to be run here: it is one of the shard, and in no part. */
+static bool is_due(const murk_calibration *out, const murk_fit_search *s,
+                   size_t i)
+{
+    const murk_shard shard = s->desc->shard;
+    const bool is_mine =
+        i == 0 || !shard.count || (i - 1) % shard.count == shard.number - 1;
+    return is_mine && !out->start[i].has_ended;
+}
+
+/* Lets further starts follow the light of start 0. */
+static murk_status share_light(murk_calibration *out, murk_fit_search *s,
+                               murk_error *err)
+{
+    const murk_status status = murk_fit_return(out, s, 0, err);
+    s->scouting = s->whitening;
+    s->whitening = NULL;
+    s->cost_to_beat = out->start[0].cost;
+    s->shares_light = true;
+    return status;
+}
+
+/* Runs the requested starts. Start 0 traces light. Each other one follows that
+ * light and depends on nothing else, so the starts may run in any order. Those
+ * that have to trace light do so when all have followed the light of start
+ * 0. */
+static murk_status run_starts(murk_calibration *out, murk_fit_search *s,
+                              murk_error *err)
+{
+    const size_t asked = starts_asked(s->desc);
+    murk_status status =
+        is_due(out, s, 0) ? murk_fit_start(out, s, 0, err) : MURK_OK;
+    for (size_t i = 1; i < asked && !status; ++i) {
+        if (!is_due(out, s, i)) {
+            continue;
+        }
+        status = s->shares_light ? MURK_OK : share_light(out, s, err);
+        status = status ? status : murk_fit_start(out, s, i, err);
+    }
+    s->shares_light = false;
+    for (size_t i = 1; i < asked && !status; ++i) {
+        if (out->start[i].is_waiting) {
+            status = murk_fit_resume(out, s, i, err);
+        }
+    }
+    return status;
+}
+
+/* Runs restarts with light of their own, while the best start is doubtful.
+ * *done: number of starts and restarts. */
+static murk_status run_restarts(murk_calibration *out, murk_fit_search *s,
+                                size_t *done, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    *done = starts_asked(s->desc);
+    while (*done < out->starts && !status &&
+           is_doubtful(out, s, murk_fit_best(out, *done))) {
+        status = is_due(out, s, *done) ? murk_fit_start(out, s, *done, err)
+                                       : MURK_OK;
+        *done += !status;
+    }
+    return status;
+}
+
+/* Number of starts that have ended, of which none is left out. */
+static size_t starts_ended(const murk_calibration *out)
+{
+    size_t n = 0;
+    while (n < out->starts && out->start[n].has_ended) {
+        ++n;
+    }
+    return n;
+}
+
+/* Sums the counts of the starts that were done. *last, *lit: numbers of the
+ * start that ended last, and of the one that traced light last; starts that
+ * trace no light end before those that do. */
+static void count_work(murk_calibration *out, size_t *last, size_t *lit)
+{
+    *last = out->starts_done - 1;
+    *lit = 0;
+    for (size_t i = 0; i < out->starts_done; ++i) {
+        const murk_calibration_start *start = &out->start[i];
+        out->traces += start->lights;
+        out->evaluations += start->evaluations;
+        out->iterations += start->iterations;
+        if (i > 0 && start->traces > 0) {
+            *last = *lit = i;
+        }
+    }
+}
+
+/* Evaluates the end of the best start, unless that start ended last. If another
+ * start has traced light since, light is traced at that end. */
+static murk_status return_to_best(murk_calibration *out, murk_fit_search *s,
+                                  murk_error *err)
+{
+    size_t last, lit;
+    count_work(out, &last, &lit);
+    out->evaluations += out->best != last;
+    if (murk_fit_lit_by(out, out->best) == lit) {
+        return murk_fit_return(out, s, out->best, err);
+    }
+    const size_t traces = murk_model_facts_of(s->model)->traces;
+    const murk_status status = murk_fit_trace_end(out, s, out->best, err);
+    out->traces += murk_model_facts_of(s->model)->traces - traces;
+    return status;
+}
+
+/* Runs the starts and restarts, and returns to the best. */
 static murk_status run(murk_calibration *out, murk_fit_search *s,
                        murk_error *err)
 {
-    /* The requested starts: the first traces light, each other one begins with
-     * the light traced last, as far as that light is valid. */
-    const size_t asked = starts_asked(s->desc);
     size_t done = 0;
-    murk_status status = MURK_OK;
-    for (; done < asked && !status; ++done) {
-        s->shares_light = done > 0;
-        status = murk_fit_start(out, s, done, err);
+    murk_status status = run_starts(out, s, err);
+    if (!status) {
+        status = run_restarts(out, s, &done, err);
     }
-    /* Restarts with light of their own, while the best start is doubtful. */
-    s->shares_light = false;
-    for (; done < out->starts && !status && is_doubtful(out, s); ++done) {
-        status = murk_fit_start(out, s, done, err);
+    if (status) {
+        /* The ended starts are known, and the values of the best of them. */
+        out->starts_done = starts_ended(out);
+        out->best = murk_fit_best(out, out->starts_done);
+        return status;
     }
-    const bool is_cut = status == MURK_INTERRUPTED && done > 1;
-    out->starts_done = is_cut ? done - 1 : done;
-    if (is_cut) {
-        return status; /* out->start[out->best] has the values; no other result
-                        * is known */
+    out->starts_done = done;
+    out->best = murk_fit_best(out, done);
+    if (s->desc->shard.count) {
+        return MURK_OK; /* the starts of a part alone */
     }
-    /* Evaluate the end of the best start again, unless that start was the last.
-     * The light at hand serves if no light was traced since that start
-     * ended. */
-    const murk_calibration_start *best = &out->start[out->best];
-    if (!status && out->best + 1 != done) {
-        const bool is_valid =
-            s->has_light &&
-            best->light == murk_model_facts_of(s->model)->traces;
-        murk_fit_search_coordinates(s, best->to, s->x);
-        status = is_valid ? murk_fit_search_evaluate(s, s->x, err)
-                          : trace_and_evaluate(s, best->to, err);
-    }
+    status = return_to_best(out, s, err);
     return status ? status : fill_result(out, s, err);
 }
 
@@ -364,17 +465,36 @@ murk_status murk_calibrate(murk_calibration *out,
         (status = murk_fit_search_create(&search, desc, out->model, err))) {
         goto done;
     }
-    status = desc->only_predicts ? only_predict(out, &search, err)
-                                 : run(out, &search, err);
+    if (desc->parts > 0) {
+        status = murk_start_parts_read(out, &search, err);
+    }
+    if (!status) {
+        status = desc->only_predicts ? only_predict(out, &search, err)
+                                     : run(out, &search, err);
+    }
 done:
     if (out->model) {
         const murk_model_facts *facts = murk_model_facts_of(out->model);
-        out->evaluations = search.evaluations;
-        out->iterations = search.iterations;
-        out->traces = facts->traces;
         out->photons = facts->photons;
         out->trace_s = facts->trace_s;
     }
     murk_fit_search_release(&search);
+    return status;
+}
+
+murk_status murk_calibrate_part(const murk_calibration_desc *desc,
+                                const char *path, murk_error *err)
+{
+    murk_calibration found = {0};
+    murk_status status = murk_shard_check(desc->shard, err);
+    if (!status && (desc->only_predicts || desc->starts == 1)) {
+        status = murk_fail(err, MURK_BAD_VALUE, "shard",
+                           "divides the starts of a fit, and %s",
+                           desc->only_predicts ? "a prediction has none"
+                                               : "there is only one");
+    }
+    status = status ? status : murk_calibrate(&found, desc, err);
+    status = status ? status : murk_start_part_write(&found, desc, path, err);
+    murk_calibration_release(&found);
     return status;
 }

@@ -24,6 +24,16 @@
  * others) are not computed then. */
 murk_status murk_calibrate(murk_calibration *out,
                            const murk_calibration_desc *desc, murk_error *err);
+
+/* Runs the starts of desc->shard, of at least two starts, and writes them to
+ * the file `path`, a part of the fit (desc->part). Shard K of N runs start 0,
+ * on which the others depend, and of the others every N-th from start K on; of
+ * restarts as far as these starts are doubtful. Fails as murk_calibrate(), with
+ * MURK_BAD_VALUE if there is no such shard, or if the file cannot be written.
+ */
+murk_status murk_calibrate_part(const murk_calibration_desc *desc,
+                                const char *path, murk_error *err);
+
 void murk_calibration_release(murk_calibration *calibration);
 
 #endif

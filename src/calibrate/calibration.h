@@ -3,6 +3,7 @@
 #define MURK_CALIBRATE_CALIBRATION_H
 
 #include "base/arena.h"
+#include "base/shard.h"
 #include "calibrate/model.h"
 #include "fit/certainty.h"
 #include "fit/least_squares.h"
@@ -34,6 +35,13 @@ typedef struct murk_calibration_desc {
     unsigned threads;
     uint32_t seed;      /* for the values of further starts */
     bool only_predicts; /* predict the rows at the start values; no search */
+    /* Parts of a fit. */
+    const murk_scene_desc *scene; /* to which parts belong */
+    murk_shard shard; /* count above 0: run the starts of this shard, and
+                       * compute no other results */
+    const char *const
+        *part; /* [parts]; files with starts that are taken over */
+    size_t parts;
     /* Called for the start of least squares and after each successful step with
      * the cost (chi2, or less with a robust loss) and the values, in the thread
      * of the caller; may be NULL. */
@@ -54,15 +62,26 @@ typedef struct murk_calibrated_row {
 
 typedef struct murk_calibration_start {
     double *from, *to; /* [keys->n] */
+    double *x;         /* [keys->n] search coordinates of the end; while the
+                        * search waits, of the point to trace light at */
+    double *lit;       /* [keys->n] search coordinates at which this search
+                        * traced light last */
     double chi2;       /* NaN if the search failed or was abandoned */
     double cost;       /* the minimised quantity: chi2, or less with a robust
                         * loss */
     char why[256];     /* why the search failed or ended */
     bool converged;
+    bool has_ended;
     size_t traces; /* number of times that this search traced light; 0: it used
-                    * only the light of earlier starts */
-    size_t light;  /* number of times that the fit had traced light when this
-                      search ended (murk_model_facts.traces) */
+                    * only the light of start 0 */
+    /* Of this search alone: traces by conditions and for slopes of world keys,
+     * evaluations of the model, and iterations. */
+    size_t lights, evaluations;
+    int iterations;
+    /* State of a search that waits (calibrate/search.h). */
+    bool is_waiting;
+    double *before; /* [keys->n]; as in murk_fit_search */
+    double lowest;  /* the cost at `before`; INFINITY: none yet */
 } murk_calibration_start;
 
 typedef struct murk_calibration {

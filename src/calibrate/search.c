@@ -1,7 +1,8 @@
 /* One search: trace light, minimise over the re-weighted rows by bounded least
  * squares (Ceres), correct for photon noise in the slopes, and repeat with new
  * light while the effective sample size is too low or world keys have moved.
- * Also chooses the start values of each search, and compares their ends. */
+ * Also chooses the start values of each search, returns to the end of one, and
+ * compares their ends. */
 #include "calibrate/search.h"
 
 #include "base/interrupt.h"
@@ -121,6 +122,18 @@ static murk_status offset_rows(murk_fit_search *s, murk_error *err)
     return status;
 }
 
+/* Traces light at x for start `by`. */
+static murk_status trace(murk_fit_search *s, size_t by, const double *x,
+                         murk_error *err)
+{
+    memmove(s->lit, x, s->n * sizeof *x);
+    murk_fit_search_values(s, x, s->value);
+    s->lit_by = s->ended = SIZE_MAX;
+    const murk_status status = murk_model_trace(s->model, s->value, err);
+    s->lit_by = status ? SIZE_MAX : by;
+    return status;
+}
+
 /* Traces light at x, unless the light at hand is valid there (is_valid), and
  * computes residuals, slopes, cost and offset. */
 static murk_status trace_at(murk_fit_search *s, bool is_valid, double *x,
@@ -129,9 +142,8 @@ static murk_status trace_at(murk_fit_search *s, bool is_valid, double *x,
     murk_status status = MURK_OK;
     /* Trace; the first trace determines the factors of readings. */
     if (!is_valid) {
-        murk_fit_search_values(s, x, s->value);
         ++s->traces;
-        status = murk_model_trace(s->model, s->value, err);
+        status = trace(s, s->start, x, err);
         if (!status && s->traces == 1) {
             status = set_gains(s, x, err);
         }
@@ -162,15 +174,17 @@ static bool has_ended_away(murk_fit_search *s, const double *x,
     return to->converged && has_world_moved(s, x);
 }
 
-/* Follows the light at hand from x: least squares on the re-weighted rows for
- * any effective share, with the whitening of the last prediction. No light is
- * traced. x becomes the end, and *is_valid tells whether the light describes
+/* Follows the light of start 0 from x: least squares on the re-weighted rows
+ * for any effective share, with the whitening at the end of start 0. No light
+ * is traced. x becomes the end, and *is_valid tells whether the light describes
  * that point well enough for the search to continue there. Slopes of world keys
  * hold at the traced values only, so *is_valid is false if there are such
  * keys. */
 static murk_status scout(murk_fit_search *s, double *x, bool *is_valid,
                          murk_error *err)
 {
+    murk_whitening *const own = s->whitening;
+    s->whitening = s->scouting;
     memcpy(s->before, x, s->n * sizeof *x);
     /* Minimise. */
     memset(s->offset, 0, s->n_fitted * sizeof *s->offset);
@@ -190,6 +204,15 @@ static murk_status scout(murk_fit_search *s, double *x, bool *is_valid,
     if (!status && !murk_interrupted()) {
         status = murk_fit_search_predict(s, x, false, &failure);
     }
+    *is_valid = !status && s->share >= MURK_MIN_SHARE &&
+                !has_key_of(s, MURK_FREE_WORLD);
+    if (!status && !*is_valid) { /* decide whether a trace there is worthwhile
+                                  */
+        murk_fit_search_residuals(s, s->residual, NULL);
+        s->is_dropped =
+            !(murk_fit_cost(s, s->residual) < s->cost_to_beat + (double)s->n);
+    }
+    s->whitening = own;
     /* Interrupt and lack of memory are errors. */
     if (murk_interrupted()) {
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
@@ -201,36 +224,36 @@ static murk_status scout(murk_fit_search *s, double *x, bool *is_valid,
                    * point */
         memcpy(x, s->before, s->n * sizeof *x);
     }
-    *is_valid = !status && s->share >= MURK_MIN_SHARE &&
-                !has_key_of(s, MURK_FREE_WORLD);
-    if (!status && !*is_valid) { /* decide whether a trace there is worthwhile
-                                  */
-        murk_fit_search_residuals(s, s->residual, NULL);
-        s->is_dropped =
-            !(murk_fit_cost(s, s->residual) < s->cost_to_beat + (double)s->n);
-    }
     return MURK_OK;
 }
 
-/* The loop of a search. */
+/* The loop of a search. best: the cost at s->before, INFINITY at the beginning
+ * of a search. */
 static murk_status search(murk_fit_search *s, murk_calibration_start *to,
-                          murk_error *err)
+                          double best, murk_error *err)
 {
     double *x = s->x;
     const size_t max = s->desc->traces_max ? s->desc->traces_max : TRACES_MAX;
     const size_t bytes = s->n * sizeof *x;
-    double best = INFINITY;
     bool is_valid = false;
-    /* Follow the light of earlier starts. */
-    if (s->shares_light && s->has_light) {
+    /* Follow the light of start 0. */
+    if (s->shares_light) {
         const murk_status status = scout(s, x, &is_valid, err);
         if (status || s->is_dropped) {
             snprintf(to->why, sizeof to->why,
-                     "the light of the starts before leads to no better place");
+                     "the light of the first start leads to no better place");
             return status;
         }
     }
     for (;;) {
+        /* Keep the light of start 0 for the other starts. */
+        if (s->shares_light && !is_valid) {
+            to->is_waiting = true;
+            to->lowest = best;
+            memcpy(to->x, x, bytes);
+            memcpy(to->before, s->before, bytes);
+            return MURK_OK;
+        }
         /* Trace and evaluate; a failure after a step means that the step was
          * too long. */
         double cost;
@@ -300,27 +323,6 @@ static murk_status search(murk_fit_search *s, murk_calibration_start *to,
     }
 }
 
-/* Runs the search from s->x, which becomes the end. */
-static murk_status run(murk_fit_search *s, murk_calibration_start *to,
-                       murk_error *err)
-{
-    s->traces = 0;
-    s->is_dropped = false;
-    const murk_status status = search(s, to, err);
-    to->traces = s->traces;
-    s->has_light = !status;
-    if (!status && !s->is_dropped) {
-        to->light = murk_model_facts_of(s->model)->traces;
-        murk_fit_search_residuals(s, s->residual, NULL);
-        to->chi2 = 0;
-        for (size_t i = 0; i < s->n_fitted; ++i) {
-            to->chi2 += s->residual[i] * s->residual[i];
-        }
-        to->cost = murk_fit_cost(s, s->residual);
-    }
-    return status;
-}
-
 /* ---- starts ---- */
 
 /* The value of key number k in start i: that of the scene if i is 0, else a
@@ -375,38 +377,129 @@ static void advise_bounds(murk_error *failure, const murk_free_keys *keys,
     }
 }
 
-murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
-                           murk_error *err)
+/* Records the end of search `to`, at which the last prediction is. */
+static void record_end(murk_calibration_start *to, murk_fit_search *s)
 {
-    const murk_calibration_desc *desc = s->desc;
-    murk_calibration_start *start = &out->start[i];
-    /* Start values and the cost to beat. */
-    for (size_t k = 0; k < out->n; ++k) {
-        start->from[k] = start_of(&desc->keys->key[k], desc->seed, i, k);
+    s->ended = s->start;
+    memcpy(to->x, s->x, s->n * sizeof *s->x);
+    murk_fit_search_values(s, s->x, to->to);
+    murk_fit_search_residuals(s, s->residual, NULL);
+    to->chi2 = 0;
+    for (size_t i = 0; i < s->n_fitted; ++i) {
+        to->chi2 += s->residual[i] * s->residual[i];
     }
+    to->cost = murk_fit_cost(s, s->residual);
+}
+
+/* Runs search i from s->x. best: as in search(). */
+static murk_status run(murk_calibration *out, murk_fit_search *s, size_t i,
+                       double best, murk_error *err)
+{
+    murk_calibration_start *to = &out->start[i];
+    const size_t lights = murk_model_facts_of(s->model)->traces;
+    const size_t evaluations = s->evaluations;
+    const int iterations = s->iterations;
     s->start = i;
-    s->cost_to_beat = i > 0 ? out->start[out->best].cost : INFINITY;
-    murk_fit_search_coordinates(s, start->from, s->x);
-    /* Search. A failure of a further start does not fail the fit, except an
-     * interrupt and lack of memory. */
+    s->traces = 0;
+    s->ended = SIZE_MAX;
+    s->is_dropped = to->is_waiting = false;
+    to->chi2 = NAN;
     murk_error failure = {0};
-    const murk_status status = run(s, start, &failure);
+    const murk_status status = search(s, to, best, &failure);
+    /* Count. */
+    to->traces = s->traces;
+    to->lights += murk_model_facts_of(s->model)->traces - lights;
+    to->evaluations += s->evaluations - evaluations;
+    to->iterations += s->iterations - iterations;
+    memcpy(to->lit, s->lit, s->n * sizeof *s->lit);
+    /* A failure of a further start does not fail the fit, except an interrupt
+     * and lack of memory. */
     if (status) {
-        advise_bounds(&failure, desc->keys, status);
-        snprintf(start->why, sizeof start->why, "%.250s", failure.text);
-        start->chi2 = NAN;
+        advise_bounds(&failure, s->desc->keys, status);
+        snprintf(to->why, sizeof to->why, "%.250s", failure.text);
         if (i == 0 || status == MURK_INTERRUPTED || status == MURK_NO_MEMORY) {
             return murk_fail(err, status, failure.where, "%s", failure.text);
         }
-        return MURK_OK;
+    } else if (!s->is_dropped && !to->is_waiting) {
+        record_end(to, s);
     }
-    if (s->is_dropped) { /* chi2 stays NaN: nothing was found */
-        return MURK_OK;
-    }
-    /* Compare with the best. */
-    murk_fit_search_values(s, s->x, start->to);
-    if (i == 0 || is_better(start, &out->start[out->best], out->n)) {
-        out->best = i;
-    }
+    to->has_ended = !to->is_waiting;
     return MURK_OK;
+}
+
+/* Fills the values from which start i begins. */
+static void set_start(murk_calibration *out, const murk_fit_search *s, size_t i)
+{
+    for (size_t k = 0; k < out->n; ++k) {
+        out->start[i].from[k] =
+            start_of(&s->desc->keys->key[k], s->desc->seed, i, k);
+    }
+}
+
+murk_status murk_fit_start(murk_calibration *out, murk_fit_search *s, size_t i,
+                           murk_error *err)
+{
+    set_start(out, s, i);
+    murk_fit_search_coordinates(s, out->start[i].from, s->x);
+    return run(out, s, i, INFINITY, err);
+}
+
+murk_status murk_fit_resume(murk_calibration *out, murk_fit_search *s, size_t i,
+                            murk_error *err)
+{
+    const murk_calibration_start *start = &out->start[i];
+    memcpy(s->x, start->x, s->n * sizeof *s->x);
+    memcpy(s->before, start->before, s->n * sizeof *s->before);
+    return run(out, s, i, start->lowest, err);
+}
+
+void murk_fit_complete(murk_calibration *out, const murk_fit_search *s,
+                       size_t i)
+{
+    set_start(out, s, i);
+    murk_fit_search_values(s, out->start[i].x, out->start[i].to);
+}
+
+murk_status murk_fit_return(const murk_calibration *out, murk_fit_search *s,
+                            size_t i, murk_error *err)
+{
+    const murk_calibration_start *start = &out->start[i];
+    const size_t lit_by = murk_fit_lit_by(out, i);
+    murk_status status = MURK_OK;
+    if (s->ended == i) {
+        return MURK_OK;
+    }
+    if (s->lit_by != lit_by) {
+        status = trace(s, lit_by, out->start[lit_by].lit, err);
+    }
+    memcpy(s->x, start->x, s->n * sizeof *s->x);
+    status = status ? status : murk_fit_search_evaluate(s, s->x, err);
+    s->ended = status ? SIZE_MAX : i;
+    return status;
+}
+
+murk_status murk_fit_trace_end(const murk_calibration *out, murk_fit_search *s,
+                               size_t i, murk_error *err)
+{
+    murk_fit_search_coordinates(s, out->start[i].to, s->x);
+    const murk_status status = trace(s, SIZE_MAX, s->x, err);
+    return status ? status : murk_fit_search_evaluate(s, s->x, err);
+}
+
+size_t murk_fit_lit_by(const murk_calibration *out, size_t i)
+{
+    return out->start[i].traces > 0 ? i : 0;
+}
+
+size_t murk_fit_best(const murk_calibration *out, size_t n)
+{
+    size_t best = 0;
+    for (size_t i = 1; i < n; ++i) {
+        const murk_calibration_start *start = &out->start[i];
+        if (start->has_ended && !isnan(start->chi2) &&
+            is_better(start, &out->start[best], out->n)) {
+            best = i;
+        }
+    }
+    return best;
 }

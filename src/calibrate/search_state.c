@@ -51,12 +51,16 @@ murk_status murk_fit_search_create(murk_fit_search *out,
                                    murk_model *model, murk_error *err)
 {
     const size_t n = desc->keys->n, rows = desc->measured->rows;
-    *out =
-        (murk_fit_search){.desc = desc, .model = model, .n = n, .rows = rows};
+    *out = (murk_fit_search){.desc = desc,
+                             .model = model,
+                             .n = n,
+                             .rows = rows,
+                             .lit_by = SIZE_MAX,
+                             .ended = SIZE_MAX};
     /* Arrays by key and by row. */
     murk_arena *arena = &out->arena;
-    double **const of_n[] = {&out->x,      &out->lower,  &out->upper,
-                             &out->traced, &out->before, &out->value};
+    double **const of_n[] = {&out->x,   &out->lower,  &out->upper, &out->traced,
+                             &out->lit, &out->before, &out->value};
     double **const of_rows[] = {&out->measured, &out->error, &out->predicted,
                                 &out->offset, &out->residual};
     for (size_t i = 0; i < sizeof of_n / sizeof *of_n; ++i) {
@@ -83,6 +87,7 @@ murk_status murk_fit_search_create(murk_fit_search *out,
 void murk_fit_search_release(murk_fit_search *s)
 {
     murk_whitening_destroy(s->whitening);
+    murk_whitening_destroy(s->scouting);
     murk_arena_release(&s->arena);
     *s = (murk_fit_search){0};
 }

@@ -18,11 +18,14 @@ typedef struct murk_fit_search {
                                   * light among all light rows of the model */
     double *measured, *error;    /* [rows] */
     murk_whitening *whitening;   /* of the first n_light rows; NULL: none */
+    murk_whitening *scouting;    /* that at the end of start 0, for further
+                                  * starts; NULL: none */
     double *x;                   /* [n]; present point of the search */
     double *lower, *upper;       /* [n]; bounds */
     double *traced, *before;     /* [n]; point of the last trace that was
                                   * accepted; point to which the search goes
                                   * back halfway if a step was too long */
+    double *lit;                 /* [n]; point of the last trace of light */
     double *residual, *jacobian; /* [n_fitted], [n_fitted][n]; whitened; while
                                   * least squares run, those at `traced` */
     double *value;               /* [n]; at the last prediction */
@@ -36,12 +39,14 @@ typedef struct murk_fit_search {
     size_t start;         /* number of the start */
     bool is_undersampled; /* least squares, or the correction after them, ended
                            * last because the effective share was too low */
-    bool has_light;    /* the last search did not fail, so its light can be used
-                        * again */
-    bool shares_light; /* the next search begins with that light */
-    bool is_scouting;  /* least squares continue for any effective share */
-    double cost_to_beat; /* cost of the best start so far; infinite in the first
-                          * search */
+    size_t lit_by;        /* number of the start that traced the light at hand;
+                           * SIZE_MAX: no light is at hand */
+    size_t ended; /* number of the start at whose end the last prediction is;
+                   * SIZE_MAX: none */
+    bool shares_light;   /* the search follows the light of start 0, and waits
+                          * when it has to trace light: see search.h */
+    bool is_scouting;    /* least squares continue for any effective share */
+    double cost_to_beat; /* cost of start 0 */
     bool is_dropped;     /* the last search was abandoned: see search.h */
     murk_error err;      /* why the last prediction failed */
     murk_arena arena;    /* of all arrays */

@@ -113,7 +113,7 @@ static void list_start(murk_results_fields *fields, const void *of, size_t i)
     MURK_FLAG(fields, "converged", "true if the search did", start->converged);
     MURK_TEXT(fields, "why", "the search ended", start->why);
     MURK_COUNT(fields, "traces",
-               "lights traced; 0: on the light of the start before",
+               "lights traced; 0: on the light of the first start",
                start->traces);
 }
 
