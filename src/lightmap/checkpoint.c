@@ -4,6 +4,7 @@
 #include "lightmap/checkpoint.h"
 
 #include "base/file.h"
+#include "base/inputs.h"
 #include "base/log.h"
 #include "base/path.h"
 #include "base/progress.h"
@@ -86,6 +87,7 @@ murk_status murk_checkpoint_read(murk_light_parts **out, const char *path,
                                  const murk_stage *stage, murk_error *err)
 {
     *out = NULL;
+    /* All ranks must go on from the same photons. */
     const bool is_there = access(path, F_OK) == 0 || errno != ENOENT;
     uint64_t ranks = is_there;
     murk_status found = murk_ranks_sum(&ranks, 1, false, MURK_OK, err);
@@ -99,8 +101,11 @@ murk_status murk_checkpoint_read(murk_light_parts **out, const char *path,
         return found;
     }
     murk_error why = {0};
+    /* The run writes this file again, so it is no input. */
+    const murk_inputs_before before = murk_inputs_try();
     const murk_status status =
         murk_light_parts_read(out, &path, 1, stage, &why);
+    murk_inputs_forget(&before);
     if (status == MURK_NO_MEMORY) {
         return murk_fail(err, status, why.where, "%s", why.text);
     }

@@ -77,6 +77,7 @@ murk_status murk_ranks_exchange_records(murk_record_buffers *buffers,
         status = pack(&bytes, &size, buffers, buffer, n, *flag, err);
     }
     status = murk_ranks_gather(&all, bytes, size, status, err);
+    /* The flag of rank 0, and the batches of all ranks but this one. */
     for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
         const char *from = all.bytes + all.begin[r];
         if (r == 0) {

@@ -1,4 +1,4 @@
-"""Kills a trace after its checkpoint, runs the same command again, and compares the files with those of an undisturbed
+"""Kills a trace twice, each time after a checkpoint, runs the same command again, and compares the files with those of an undisturbed
 run: emit and store, tallies, other numbers of threads. Checkpoints of another scene, damaged ones and files that murk
 did not write.
 
@@ -46,11 +46,17 @@ def compare(folder, whole):
         sys.exit(f"{folder}: other files than those of an undisturbed run: {differ}")
 
 
+def written(path):
+    """What tells one checkpoint from the next; None: there is none."""
+    return os.stat(path).st_ino if os.path.exists(path) else None
+
+
 def kill_after_checkpoint(folder, words):
-    """Kills a run as soon as it has written a checkpoint."""
+    """Kills a run as soon as it has written a checkpoint, which is not the one of an earlier run."""
     checkpoint = os.path.join(folder, "checkpoint.part")
+    before = written(checkpoint)
     process = subprocess.Popen([MURK, "trace", *words, "--checkpoint", "1", "-o", folder, "-q"])
-    while not os.path.exists(checkpoint):
+    while written(checkpoint) == before:
         if process.poll() is not None:
             sys.exit(f"the run ended without a checkpoint: {words}")
         time.sleep(.01)
@@ -63,10 +69,13 @@ def kill_after_checkpoint(folder, words):
 def main():
     with tempfile.TemporaryDirectory() as top:
         whole, cut = os.path.join(top, "whole"), os.path.join(top, "cut")
-        for k, number in enumerate((["--emit", "1500000"], ["--store", "1200000"])):
+        for k, number in enumerate((["--emit", "2500000"], ["--store", "2000000"])):
             words = [*SCENE, *number]
             must(run(*words, "-j", "2", "-q", "-o", f"{whole}{k}"), 0, "")
+            first = kill_after_checkpoint(f"{cut}{k}", [*words, "-j", "1"])
             content = kill_after_checkpoint(f"{cut}{k}", [*words, "-j", "1"])
+            if len(content) <= len(first):
+                sys.exit("the second checkpoint has no more photons than the first")
             must(run(*words, "-j", "3", "-o", f"{cut}{k}"), 0, "photons of an earlier run go on from here")
             compare(f"{cut}{k}", f"{whole}{k}")
         # A checkpoint of another scene, and a damaged one: not used, with a warning, and removed at the end.

@@ -7,6 +7,7 @@
 #include "lightmap/light_part_trace.h"
 #include "lightmap/lightmap.h"
 #include "photonmap/map_file.h"
+#include "same_light.h"
 #include "stage_text.h"
 
 #include <stdlib.h>
@@ -76,48 +77,13 @@ static murk_status merge(murk_traced **out, const murk_stage *stage,
     return status;
 }
 
-static bool same_map(const murk_photon_map *a, const murk_photon_map *b)
-{
-    const size_t n = murk_photon_map_count(a);
-    return n == murk_photon_map_count(b) &&
-           (n == 0 ||
-            memcmp(murk_photon_map_photons(a), murk_photon_map_photons(b),
-                   n * sizeof(murk_photon)) == 0);
-}
-
-static bool same_ledger(const murk_ledger *a, const murk_ledger *b)
-{
-    const size_t n = murk_ledger_cells(a);
-    int64_t *x = malloc(n * sizeof *x), *y = malloc(n * sizeof *y);
-    murk_ledger_read(a, x);
-    murk_ledger_read(b, y);
-    const bool is_same = memcmp(x, y, n * sizeof *x) == 0;
-    free(x);
-    free(y);
-    return is_same;
-}
-
-static bool same_tallies(const murk_tallies *a, const murk_tallies *b)
-{
-    const size_t n = murk_tallies_words(a);
-    uint64_t *x = malloc(n * sizeof *x), *y = malloc(n * sizeof *y);
-    murk_tallies_read_sums(a, x);
-    murk_tallies_read_sums(b, y);
-    const bool is_same = memcmp(x, y, n * sizeof *x) == 0;
-    free(x);
-    free(y);
-    return is_same;
-}
-
 static void check_same(const murk_traced *whole, const murk_traced *merged)
 {
     if (!merged) {
         CHECK(false);
         return;
     }
-    CHECK(whole->emitted == merged->emitted);
-    CHECK(!memcmp(whole->packet_w, merged->packet_w,
-                  whole->channels * sizeof *whole->packet_w));
+    CHECK(same_packets(whole, merged));
     CHECK(same_ledger(whole->ledger, merged->ledger));
     CHECK(same_tallies(whole->tallies, merged->tallies));
     CHECK(same_map(whole->surface, merged->surface));

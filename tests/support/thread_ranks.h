@@ -1,0 +1,38 @@
+/* Ranks (base/ranks.h) as threads of one process, for tests without MPI. Each
+ * rank is a thread that works for a host of its own. A defect makes one
+ * exchange slightly wrong, which shows that a test would notice. */
+#ifndef MURK_TESTS_THREAD_RANKS_H
+#define MURK_TESTS_THREAD_RANKS_H
+
+#include "base/ranks.h"
+
+#define THREAD_RANKS_MAX 8
+
+typedef enum thread_ranks_defect {
+    THREAD_RANKS_SOUND,
+    THREAD_RANKS_LOSE_WORDS, /* sums leave out the words of the last rank */
+    THREAD_RANKS_LOSE_CARRY, /* sums of 128 bits drop the carry */
+    THREAD_RANKS_FLIP_BIT,   /* a bit in the middle of the bytes that the last
+                              * rank gives to a gather is another */
+    THREAD_RANKS_DEAL_TWICE, /* the counter gives the number 1 twice */
+} thread_ranks_defect;
+
+/* Work of one rank. It must not use CHECK(), which is not for threads. */
+typedef murk_status (*thread_ranks_work)(void *context, unsigned number,
+                                         murk_error *err);
+
+/* The end of each rank, after the statuses were compared a last time. */
+typedef struct thread_ranks_end {
+    murk_status status[THREAD_RANKS_MAX]; /* [count] */
+    murk_error error[THREAD_RANKS_MAX];
+} thread_ranks_end;
+
+/* Runs work(context, number, err) in `count` ranks. One rank has no table, as
+ * in murk-mpi. */
+thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
+                                  thread_ranks_work work, void *context);
+
+/* True if all ranks ended with MURK_OK. */
+bool thread_ranks_succeeded(const thread_ranks_end *end, unsigned count);
+
+#endif
