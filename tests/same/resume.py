@@ -1,6 +1,6 @@
-"""Kills a trace twice, each time after a checkpoint, runs the same command again, and compares the files with those of an undisturbed
-run: emit and store, tallies, other numbers of threads. Checkpoints of another scene, damaged ones and files that murk
-did not write.
+"""Kills a trace twice, each time after a checkpoint, runs the same command again, and compares the files with those of
+an undisturbed run: emit and store, tallies, other numbers of threads. Checkpoints of another scene, damaged ones and
+files that murk did not write.
 
     resume.py MURK"""
 import json
