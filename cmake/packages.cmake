@@ -106,4 +106,14 @@ This package contains the Python module, whose results are NumPy arrays."
     set(CPACK_DEBIAN_PYTHON3-MURK_PACKAGE_CONTROL_EXTRA
         ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/postinst ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/prerm)
 endif()
+if(MURK_MPI)
+    murk_package(murk-mpi science
+"simulator of light in fog, smoke, rain and water - runs in many processes
+murk simulates light in fog, smoke, rain and water, and places sensors in it.
+This package contains the program murk-mpi, which divides the work of murk
+among the processes that mpirun of Open MPI starts on one or more machines."
+        # murk-reader of libmurk0 reads meshes and grids for ranks, which must not fork
+        DEPENDS "murk (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), ${murk_same_version}, openmpi-bin")
+    set(CPACK_DEBIAN_MURK-MPI_PACKAGE_SHLIBDEPS ON)
+endif()
 include(CPack)

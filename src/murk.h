@@ -638,7 +638,8 @@ murk_status murk_world_replay(murk_world *world, uint64_t photon,
                               const murk_save_options *options,
                               const murk_fields **fields, murk_error *error);
 
-/* What murk_world_check() draws. All members but size may be zeros. */
+/* What murk_world_check() draws and forecasts. All members but size may be
+ * zeros. */
 typedef struct murk_check_options {
     size_t size;         /* sizeof(murk_check_options) */
     const char *picture; /* path of a PNG file, ending in ".png", for a plan and
@@ -651,6 +652,9 @@ typedef struct murk_check_options {
                           * NULL: x and y of the middle of the candidates, or of
                           * all things if there are none, and z at most 1.5 m
                           * above the floor */
+    size_t ranks;        /* forecast what each of this number of ranks of
+                          * murk-mpi computes, holds and receives, at most
+                          * 100000; 0: no such forecast */
 } murk_check_options;
 
 /* Looks over the world before its light is traced, as murk check, and gives
@@ -658,20 +662,20 @@ typedef struct murk_check_options {
  * murk-results(5) lists: `domain`, `surfaces`, `mesh_materials`, `media`,
  * `regions`, `lights`, `candidates`, `sensors`, `tallies`, `cameras` and
  * `forecast` (the photons that a run will emit and store, and the memory of the
- * run [bytes], by a pilot run of few photons), with options->picture `picture`,
- * and `identity`, `files` and `run`. run.summary, the lines of text that the
- * program prints, is a field alone and not in murk_fields_json(). fields may be
- * NULL; else *fields are valid until the next call of this function with the
- * world. options NULL: zeros. save: `replaces`, without which a file that murk
- * did not write is not replaced by the picture, and `command` and `asked`, for
- * `run` and `identity`, are used; NULL: zeros. Fails with MURK_BAD_VALUE if an
- * option is wrong, if the picture may not be replaced, or if the scene has too
- * few photons, or sensors or targets that do not fit the world (the picture is
- * drawn all the same if the candidates are refused, as it may show why); with
- * MURK_BAD_FILE if a list of places that the scene names is malformed, with
- * MURK_RUN_FAILED if the picture cannot be written, with MURK_INTERRUPTED if
- * the call is cancelled, and as murk_world_create() if that has not built the
- * world. */
+ * run [bytes], by a pilot run of few photons), with options->ranks `ranks`,
+ * with options->picture `picture`, and `identity`, `files` and `run`.
+ * run.summary, the lines of text that the program prints, is a field alone and
+ * not in murk_fields_json(). fields may be NULL; else *fields are valid until
+ * the next call of this function with the world. options NULL: zeros. save:
+ * `replaces`, without which a file that murk did not write is not replaced by
+ * the picture, and `command` and `asked`, for `run` and `identity`, are used;
+ * NULL: zeros. Fails with MURK_BAD_VALUE if an option is wrong, if the picture
+ * may not be replaced, or if the scene has too few photons, or sensors or
+ * targets that do not fit the world (the picture is drawn all the same if the
+ * candidates are refused, as it may show why); with MURK_BAD_FILE if a list of
+ * places that the scene names is malformed, with MURK_RUN_FAILED if the picture
+ * cannot be written, with MURK_INTERRUPTED if the call is cancelled, and as
+ * murk_world_create() if that has not built the world. */
 murk_status murk_world_check(murk_world *world,
                              const murk_check_options *options,
                              const murk_save_options *save,

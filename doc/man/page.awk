@@ -215,7 +215,7 @@ NR == 1 {
     about = $0
     sub(/^# [^:]*: /, "", about)
     print ".TH " toupper(name) " " section " " date " \"murk " version "\" \"" \
-          (section == 3 ? "Library Functions" : "File Formats") "\""
+          (section == 1 ? "User Commands" : section == 3 ? "Library Functions" : "File Formats") "\""
     print ".ad l\n.nh\n.SH NAME"
     print name " \\- " escaped(about)
     next

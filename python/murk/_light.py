@@ -96,13 +96,14 @@ class World:
         return Light(self, parts=paths)
 
     def check(self, picture: Path | None = None, pixels: Sequence[int] | None = None,
-              cut_m: Sequence[float] | None = None, replace: bool = False) -> Result:
+              cut_m: Sequence[float] | None = None, replace: bool = False, ranks: int = 0) -> Result:
         """What is in the world and what a run will take, before any light is traced: `surfaces`, `media`, `lights`,
         `candidates`, `forecast`, ...
 
         picture: a PNG file for a plan and two sections of the world. pixels: its width and height, 640 x 480 or more.
-        cut_m: x, y and z of the three planes [m]. replace: also a file that murk did not write. Warnings of what is
-        probably wrong go to the log of the context. Raises Error. Source: `murk check`.
+        cut_m: x, y and z of the three planes [m]. replace: also a file that murk did not write. ranks: adds `ranks`,
+        what each of that number of ranks of `murk-mpi` computes, holds and receives. Warnings of what is probably wrong go
+        to the log of the context. Raises Error. Source: `murk check`.
 
         Example: `world.check("yard.png").forecast.memory_bytes`.
         """
@@ -112,7 +113,7 @@ class World:
             planes = ffi.new("double[3]", [x_m, y_m, z_m])
         width, height = (0, 0) if pixels is None else pixels
         options = ffi.new("murk_check_options *", {"size": ffi.sizeof("murk_check_options"), "picture": path,
-                                                   "pixels": [width, height], "cut_m": planes})
+                                                   "pixels": [width, height], "cut_m": planes, "ranks": ranks})
         saving = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "replaces": replace})
         fields = ffi.new("const murk_fields **")
         call_long(self.context, lib.murk_world_check, self.c, options, saving, fields)

@@ -66,12 +66,12 @@ static const struct {
     const char *name;
     bool is_list;
 } settings[] = {
-    {"keys", true},     {"bounds", true},       {"exports", false},
-    {"voxel_m", false}, {"runs", false},        {"loss", false},
-    {"predict", false}, {"command", false},     {"photon", false},
-    {"picture", false}, {"pixels", false},      {"cut_m", false},
-    {"camera", false},  {"from_sensor", false}, {"false_colour", false},
-    {"width_m", false}};
+    {"keys", true},          {"bounds", true},   {"exports", false},
+    {"voxel_m", false},      {"runs", false},    {"loss", false},
+    {"predict", false},      {"command", false}, {"photon", false},
+    {"picture", false},      {"pixels", false},  {"cut_m", false},
+    {"ranks", false},        {"camera", false},  {"from_sensor", false},
+    {"false_colour", false}, {"width_m", false}};
 
 /* Returns the part of a place behind MURK_SET_MARK ("set "), or behind the name
  * of a setting and a blank if the setting is a list: a text that begins with a

@@ -3,8 +3,12 @@
 
 #include "overview/overview.h"
 
+/* As of parts (murk_light_trace_part()); no cluster has more processors. */
+#define RANKS_MAX 100000
+
 typedef struct request {
     murk_section_file picture;
+    unsigned ranks;
     cJSON *lines; /* set by work(): the lines of text; NULL: none */
 } request;
 
@@ -18,7 +22,8 @@ static murk_status work(void *of, murk_session *session,
     murk_overview overview = {0};
     murk_status status = murk_save_identify(session, "check", save, err);
     if (!status) {
-        status = murk_overview_make(&overview, session, &asked->picture, err);
+        status = murk_overview_make(&overview, session, &asked->picture,
+                                    asked->ranks, err);
     }
     if (!status) {
         asked->lines = murk_print_collect(murk_overview_print, &overview);
@@ -33,11 +38,16 @@ static murk_status take_options(request *out, const murk_check_options *options,
                                 murk_error *err)
 {
     murk_check_options all = {0};
-    const murk_status status = murk_options_copy(
-        &all, sizeof all, options, "options", "murk_check_options", err);
+    murk_status status = murk_options_copy(&all, sizeof all, options, "options",
+                                           "murk_check_options", err);
+    if (!status && all.ranks > RANKS_MAX) {
+        status = murk_fail(err, MURK_BAD_VALUE, "ranks",
+                           "is %zu, must be 0..%d", all.ranks, RANKS_MAX);
+    }
     *out = (request){.picture = {.path = all.picture,
                                  .cut_m = all.cut_m,
-                                 .pixels = {all.pixels[0], all.pixels[1]}}};
+                                 .pixels = {all.pixels[0], all.pixels[1]}},
+                     .ranks = (unsigned)all.ranks};
     return status;
 }
 

@@ -1,6 +1,6 @@
 /* murk check: reads and builds a scene, and reports surfaces, media, lights,
  * candidates, sensors, cameras, doubtful points and the memory that a run
- * takes. */
+ * takes, alone or shared by ranks. */
 #include "app/given.h"
 #include "app/show.h"
 
@@ -14,7 +14,8 @@ murk_status murk_command_check(const murk_options *options, murk_error *err)
         .size = sizeof check,
         .picture = murk_option_text(options, "--picture"),
         .pixels = {options->render.pixels[0], options->render.pixels[1]},
-        .cut_m = options->section.has_cut ? options->section.cut_m : NULL};
+        .cut_m = options->section.has_cut ? options->section.cut_m : NULL,
+        .ranks = (size_t)murk_option_number(options, "--ranks", 0)};
     /* The scene, its world, and the options of the results. */
     murk_status status = murk_given_scene(&scene, options, err);
     if (!status) {

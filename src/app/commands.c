@@ -25,7 +25,8 @@ const murk_command murk_commands[] = {
      "Reads and builds the scene and prints its surfaces, media, lights, "
      "sensors and candidates, how many candidates are usable or doubtful, and "
      "the photons and the memory that a run will take, foretold by a short "
-     "pilot. Writes nothing but the drawing of --picture.",
+     "pilot; with --ranks also for ranks of murk-mpi. Writes nothing but the "
+     "drawing of --picture.",
      murk_command_check, .formats = "murk-scene",
      .example = {{"murk check scenes/smoke-hall.yaml",
                   "What is in the hall, and what a run will take."},

@@ -176,6 +176,10 @@ const murk_option murk_option_table[] = {
      "where --picture cuts in m: side section at x, front section at y, plan "
      "at z; default: the middle of the candidates, and 1.5 m above the floor",
      OWN(murk_option_cut), .setting = "cut_m"},
+    {"--ranks", NULL, "R", "check",
+     "forecast, too, what each of R ranks of murk-mpi computes, holds and "
+     "receives, with the threads of -j",
+     COUNT(1, 100000), .setting = "ranks", .is_left_out = true},
     {"--profile", NULL, "FILE", "media",
      "turn this measured profile (CSV: depth_m, z_m or height_m, and a "
      "coefficient such as c_per_m) into a grid, -o FILE.vdb",

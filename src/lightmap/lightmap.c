@@ -95,7 +95,9 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
     trace.takes_any_order = true;
     trace.context = h;
     murk_progress_begin("pilot", n, "photons");
+    const double begun_s = murk_clock_s();
     murk_trace_run(&trace, ledger);
+    const double pilot_s = murk_clock_s() - begun_s;
     murk_progress_end();
     status = murk_interrupt_check(err);
     if (status) {
@@ -123,6 +125,7 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
      * because it is counted already. */
     const double records = all * grow;
     *out = (murk_forecast){.pilot_photons = n,
+                           .pilot_s = pilot_s,
                            .escaped_share = escaped_share(stage, ledger),
                            .surface = surface * grow,
                            .volume = volume * grow,

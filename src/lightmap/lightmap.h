@@ -32,6 +32,7 @@ typedef struct murk_traced {
 /* Forecast from a short pilot run. */
 typedef struct murk_forecast {
     uint64_t pilot_photons;
+    double pilot_s;         /* wall-clock time of the pilot run */
     double surface, volume; /* numbers of records at the end */
     double emitted;         /* photons at the end */
     double memory_bytes;    /* upper limit [bytes] of the memory of tracing and

@@ -4,7 +4,6 @@
  * The facts are given as JSON and as lines of text. */
 #include "overview/overview.h"
 
-#include "base/scratch_file.h"
 #include "overview/parts.h"
 #include "overview/section_file.h"
 #include "plan/few_photons.h"
@@ -15,39 +14,6 @@
 #include "scene/places.h"
 
 #include <stdlib.h>
-
-/* The largest size [bytes] of the coverage matrix for placement in a known
- * environment: for each photon and pose of a sensor one bit, or two bytes if
- * the scene has media. */
-static double matrix_bytes(const murk_overview *o)
-{
-    const double records = o->forecast.surface + o->forecast.volume;
-    const double usable = o->poses ? (double)o->poses->count : 0;
-    const bool dims = murk_media_any(o->session->stage->media);
-    return records * usable * (dims ? 2 : 0.125);
-}
-
-/* The largest memory [bytes] of the rows of the coverage matrix: in an unknown
- * environment of those that placement remembers. */
-static double memory_of_rows(const murk_overview *o)
-{
-    return fmin(o->session->scene->placement.memory_mb * 1048576,
-                matrix_bytes(o));
-}
-
-static bool is_unknown(const murk_overview *o)
-{
-    return o->session->scene->placement.knowledge == MURK_SCENE_UNKNOWN;
-}
-
-/* The largest size [bytes] of the scratch file that has rows in a known
- * environment. */
-static double scratch_bytes(const murk_overview *o)
-{
-    return is_unknown(o) || matrix_bytes(o) <= memory_of_rows(o)
-               ? 0
-               : matrix_bytes(o);
-}
 
 static void add_surfaces(cJSON *root, const murk_overview *o)
 {
@@ -119,18 +85,11 @@ cJSON *murk_overview_json(const murk_overview *o)
     murk_overview_json_sensor_types(root, o->session->scene, o->poses);
     murk_json_tallies(root, o->session);
     murk_overview_json_cameras(root, o->session->scene, &o->forecast);
-    /* The forecast of a full run. */
-    cJSON *forecast = cJSON_AddObjectToObject(root, "forecast");
-    murk_json_number(forecast, "pilot_photons",
-                     (double)o->forecast.pilot_photons);
-    murk_json_number(forecast, "emitted", o->forecast.emitted);
-    murk_json_number(forecast, "surface", o->forecast.surface);
-    murk_json_number(forecast, "volume", o->forecast.volume);
-    murk_json_number(forecast, "memory_bytes", o->forecast.memory_bytes);
-    murk_json_number(forecast, "matrix_bytes_at_most", matrix_bytes(o));
-    murk_json_number(forecast, "remembered_bytes_at_most",
-                     is_unknown(o) ? memory_of_rows(o) : 0);
-    murk_json_number(forecast, "scratch_bytes_at_most", scratch_bytes(o));
+    murk_overview_json_forecast(root, o->session, o->poses, &o->forecast);
+    if (o->ranks > 0) {
+        murk_overview_json_ranks(root, o->session, o->poses, &o->forecast,
+                                 o->ranks);
+    }
     if (o->picture) {
         murk_section_file_json(root, o->picture, &o->section);
         murk_json_file(root, o->picture);
@@ -151,22 +110,6 @@ static void print_mesh_materials(const murk_overview *o)
                    m->is_forced  ? ", as the geometry says"
                    : m->is_named ? ""
                                  : ", as no entry has this name");
-    }
-}
-
-/* Prints the memory and the disk space that a run takes. */
-static void print_memory(const murk_overview *o)
-{
-    if (o->forecast.memory_bytes + memory_of_rows(o) >= 1e5) {
-        murk_print("memory      about %.3g GB a map while tracing; to place at "
-                   "most %.3g GB more for rows of the coverage matrix\n",
-                   o->forecast.memory_bytes / 1e9, memory_of_rows(o) / 1e9);
-    }
-    if (scratch_bytes(o) > 0) {
-        murk_print("            at most %.3g GB in a scratch file in %s, which "
-                   "has %.3g GB free (beyond placement.memory_mb)\n",
-                   scratch_bytes(o) / 1e9, murk_scratch_folder(),
-                   murk_scratch_free_bytes() / 1e9);
     }
 }
 
@@ -221,11 +164,10 @@ void murk_overview_print(const void *of)
     murk_print_asked_conditions(scene);
     murk_print_asked_tallies(o->session);
     murk_overview_print_cameras(scene, &o->forecast);
-    murk_print("forecast    %.3g photons emitted; stored: %.3g surface, %.3g "
-               "volume (from a pilot of %llu photons)\n",
-               o->forecast.emitted, o->forecast.surface, o->forecast.volume,
-               (unsigned long long)o->forecast.pilot_photons);
-    print_memory(o);
+    murk_overview_print_forecast(o->session, o->poses, &o->forecast);
+    if (o->ranks > 0) {
+        murk_overview_print_ranks(o->session, o->poses, &o->forecast, o->ranks);
+    }
     if (o->picture) {
         const murk_vec3 cut = murk_scene_user(scene, o->section.cut);
         murk_print("picture     %s: cuts at x = %.*g, y = %.*g, z = %.*g m\n",
@@ -234,14 +176,15 @@ void murk_overview_print(const void *of)
 }
 
 murk_status murk_overview_make(murk_overview *out, const murk_session *session,
-                               const murk_section_file *picture,
+                               const murk_section_file *picture, unsigned ranks,
                                murk_error *err)
 {
     const murk_scene_desc *scene = session->scene;
     const murk_stage *stage = session->stage;
     const unsigned threads = session->settings.threads;
     bool is_refused = false;
-    *out = (murk_overview){.session = session, .picture = picture->path};
+    *out = (murk_overview){
+        .session = session, .ranks = ranks, .picture = picture->path};
     /* A picture that cannot be written is refused before the pilot run. */
     murk_status status =
         murk_section_file_check(picture, session->settings.force, err);

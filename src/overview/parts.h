@@ -6,6 +6,7 @@
 #include "lightmap/lightmap.h"
 #include "plan/poses.h"
 #include "results/json.h"
+#include "results/session.h"
 #include "world/stage.h"
 
 /* Media with their coefficients, phase functions and grids, and regions with
@@ -42,5 +43,24 @@ void murk_overview_json_cameras(cJSON *root, const murk_scene_desc *scene,
                                 const murk_forecast *forecast);
 void murk_overview_warn_of_cameras(const murk_scene_desc *scene,
                                    const murk_forecast *forecast);
+
+/* The forecast of a full run: photons, records, memory and disk space. poses:
+ * NULL if the scene has no sensors. "forecast": see murk-results(5). */
+void murk_overview_print_forecast(const murk_session *session,
+                                  const murk_poses *poses,
+                                  const murk_forecast *forecast);
+void murk_overview_json_forecast(cJSON *root, const murk_session *session,
+                                 const murk_poses *poses,
+                                 const murk_forecast *forecast);
+
+/* The same run shared by `ranks` ranks (base/ranks.h), each with the threads of
+ * the session: what each rank computes, holds and receives. "ranks": see
+ * murk-results(5). */
+void murk_overview_print_ranks(const murk_session *session,
+                               const murk_poses *poses,
+                               const murk_forecast *forecast, unsigned ranks);
+void murk_overview_json_ranks(cJSON *root, const murk_session *session,
+                              const murk_poses *poses,
+                              const murk_forecast *forecast, unsigned ranks);
 
 #endif

@@ -6,7 +6,8 @@
 #
 #     packages.sh BUILD [BASE]
 #
-# The packages are built in the folder BUILD. BASE is a root that debootstrap made
+# The packages are built in the folder BUILD; murk-mpi is one of them if that folder
+# was configured with -DMURK_MPI=ON before. BASE is a root that debootstrap made
 # before, which is copied; without it one is made.
 set -eu
 build=$1
@@ -28,7 +29,9 @@ rm -f "$build"/*.deb
     tail -n 40 "$work/log"
     exit 1
 }
-for package in murk libmurk0 libmurk-dev python3-murk murk-doc; do
+packages="murk libmurk0 libmurk-dev python3-murk murk-doc"
+grep -q '^MURK_MPI:BOOL=ON' "$build/CMakeCache.txt" && packages="$packages murk-mpi"
+for package in $packages; do
     [ -f "$(echo "$build/$package"_*.deb)" ] || fail "no package $package"
 done
 
@@ -84,7 +87,14 @@ inside python3 /module.py
 inside python3 /usr/share/doc/python3-murk/examples/numpy_grid.py
 inside test -e /usr/share/bash-completion/completions/murk -a -e /usr/share/zsh/site-functions/_murk
 
+case $packages in *murk-mpi*)
+    inside mpirun --allow-run-as-root --oversubscribe -n 2 murk-mpi trace /usr/share/doc/murk-doc/scenes/paper-room.yaml --store 2000 -o /ranks
+    [ -s "$work/root/ranks/ledger.json" ] || fail "murk-mpi trace wrote no ledger.json"
+    ;;
+esac
+
 # removing the packages leaves no file
-inside apt-get purge -y murk libmurk0 libmurk-dev python3-murk murk-doc
+# shellcheck disable=SC2086
+inside apt-get purge -y $packages
 left=$(find "$work/root/usr" -name '*murk*')
 [ -z "$left" ] || fail "left by the packages: $left"

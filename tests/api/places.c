@@ -60,7 +60,9 @@ static void check_overview(const given *g)
                  {"pixels", {.picture = "sheet.png", .pixels = {0, 600}}},
                  {"pixels", {.picture = "sheet.png", .pixels = {800, 400}}},
                  {"cut_m", {.cut_m = inside_m}},
-                 {"cut_m", {.picture = "sheet.png", .cut_m = outside_m}}};
+                 {"cut_m", {.picture = "sheet.png", .cut_m = outside_m}},
+                 {"ranks", {.ranks = 100001}}};
+    /* Each case is refused at its setting, and leaves no fields. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_error error = MURK_ERROR_NONE;
         const murk_fields *fields = NULL;

@@ -69,6 +69,7 @@ def program_agrees(folder):
     looked = scene.world().check(sheet, pixels=(800, 600), cut_m=told["picture"]["cut_m"])
     check(looked.picture.cut_m == told["picture"]["cut_m"] and looked.picture.sections != told["picture"]["sections"],
           "the planes and the size of a picture")
+    check(scene.world().check(ranks=4).ranks["count"] == 4 and "ranks" not in looked, "the forecast for ranks")
     # light that the program wrote, and sensors that it chose
     light = scene.world().read_light(os.path.join(by_program, "light.murk"))
     check(light.sense(os.path.join(by_program, "plan.json")).coverage["in_sample"] ==

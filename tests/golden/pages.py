@@ -61,7 +61,9 @@ def check_installed():
     listed = text_of(os.path.join(FOLDER, "..", "cmake_install.cmake"))
     for path in sorted(glob.glob(FOLDER + "/man?/*")):
         check(f'"{path}"' in listed, path + " is not installed")
-    check(len(pages) == len(commands) + 1 + len(glob.glob("doc/man/*.md")),
+    # murk-mpi(1) is made with MURK_MPI alone
+    sources = [page for page in glob.glob("doc/man/*.md") if not page.endswith("/murk-mpi.1.md") or "murk-mpi.1" in pages]
+    check(len(pages) == len(commands) + 1 + len(sources),
           f"{len(pages)} pages")
 
 

@@ -66,6 +66,28 @@ def test_files(murk):
     check(found["candidates"]["asked"] == found["candidates"]["usable"] == 48,
           found["candidates"])
 
+    # The same run shared by ranks: photons and rows are divided, memory is not,
+    # and a rank receives what the others have computed.
+    forecast = found["forecast"]
+    matrix = forecast["matrix_bytes_at_most"]
+    check("ranks" not in found, "ranks without --ranks")
+    for count in (1, 3):
+        shared = murk.run("check", scene, "--ranks", str(count), "-j", "2")
+        check(shared["forecast"] == forecast, "the forecast with --ranks", shared["forecast"])
+        ranks, others = shared["ranks"], (count - 1) / count
+        check((ranks["count"], ranks["threads"]) == (count, 2), ranks)
+        near(ranks["photons"], forecast["emitted"] / count, 1e-9, "photons of a rank")
+        near(ranks["rows"], 48 / count, 1e-9, "rows of a rank")
+        check(ranks["trace_s"] > 0, "trace_s of a rank")
+        for name in ("memory_bytes", "scratch_bytes_at_most"):
+            check(ranks[name] == forecast[name], name, "of a rank")
+        check(ranks["rows_bytes_at_most"] == matrix, "rows that a rank holds")
+        near(ranks["received_rows_bytes_at_most"], others * matrix, 1e-6 * matrix, "rows that a rank receives")
+        records = forecast["surface"] + forecast["volume"]
+        near(ranks["received_records_bytes"], others * 32 * records, 1e-6 * records, "records that a rank receives")
+    unknown = murk.run("check", scene, "--ranks", "3", "--set", "placement.knowledge=unknown")["ranks"]
+    check(unknown["rows"] == unknown["received_rows_bytes_at_most"] == 0, "rows are divided when unknown")
+
     plan = murk.run("place", scene, "-o", murk.path("plan"))
     fits(plan, kinds.PLAN, "plan.json")
     check(plan == murk.read("plan", "plan.json"), "plan.json is not what was printed")
