@@ -19,6 +19,7 @@ murk_status murk_sweep_ranks_begin(murk_sweep *sweep, murk_status status,
     if (!status && !done) {
         status = murk_no_memory(err, "", "for %zu rows", rows);
     }
+    /* Count the ranks that have each row. */
     for (size_t i = 0; i < rows && !status; ++i) {
         done[i] = sweep->row[i].is_done;
     }
