@@ -328,12 +328,17 @@ def killed_while_files_are_written(folder, room):
 def resumed(folder, room):
     """A trace whose rank was killed goes on from its checkpoint, in another number of ranks, to the same files."""
     out, whole = os.path.join(folder, "resumed"), os.path.join(folder, "undisturbed")
-    words = ["trace", room, "--emit", str(2 * WRITTEN)]
-    done([MURK, *words, "-q", "-o", whole])
     os.mkdir(out)
     checkpoint = os.path.join(out, "checkpoint.part")
-    long = Long(out, [*words, "--checkpoint", "1"])
-    check(long.wait_until(lambda: os.path.exists(checkpoint)), "no checkpoint", long.text())
+    for times in (2, 8, 32):  # until the run is longer than the second before the first checkpoint
+        words = ["trace", room, "--emit", str(times * WRITTEN)]
+        long = Long(out, [*words, "--checkpoint", "1"])
+        if long.wait_until(lambda: os.path.exists(checkpoint)) or times == 32:
+            break
+        shutil.rmtree(out)
+        os.mkdir(out)
+    check(os.path.exists(checkpoint), "no checkpoint", long.text())
+    done([MURK, *words, "-q", "-o", whole])
     long.send(1, signal.SIGKILL)
     long.before = {"checkpoint.part": b""}
     long.end("rank 1 killed after a checkpoint", may_write=True)
