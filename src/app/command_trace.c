@@ -4,6 +4,7 @@
 #include "app/part.h"
 #include "app/show.h"
 #include "base/file.h"
+#include "base/ranks.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -112,8 +113,8 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
         status =
             murk_light_save(light, options->out, &save.options, &saved, err);
     }
-    if (saved && checkpoint) {
-        (void)remove(checkpoint);
+    if (saved && checkpoint && murk_ranks_number() == 0) {
+        (void)remove(checkpoint); /* rank 0 has written the light */
     }
     free(checkpoint);
     murk_show(options, saved);

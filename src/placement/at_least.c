@@ -64,6 +64,14 @@ static void rest(void *context)
     }
 }
 
+static void list_counters(void *context, murk_counters *list)
+{
+    const murk_at_least *p = context;
+    if (p->of->list_counters) {
+        p->of->list_counters(p->of->context, list);
+    }
+}
+
 void murk_at_least_init(murk_at_least *out, const murk_problem *of,
                         unsigned at_least)
 {
@@ -71,7 +79,7 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
     out->problem.get_row = binary_row;
     out->problem.get_part = NULL;
     out->problem.rest = rest;
-    out->problem.list_counters = NULL;
+    out->problem.list_counters = list_counters;
     out->problem.context = out;
     out->problem.combining = MURK_COMBINE_CLEAREST;
     out->problem.redundancy = at_least;
