@@ -11,6 +11,7 @@
 #include "base/pool.h"
 #include "base/progress.h"
 #include "results/results.h"
+#include "results/version.h"
 #include "scene/yaml.h"
 
 #include <stdlib.h>
@@ -121,6 +122,7 @@ murk_status murk_context_create(murk_context **out,
     host->importing = importing[context->options.imports];
     host->reader = context->reader;
     host->ranks = murk_host_now()->ranks;
+    host->version = murk_version_with_commit();
     murk_call call = murk_call_begin(context, NULL, error);
     murk_inputs_begin();
     murk_log_to(context->options.log, context->options.user);

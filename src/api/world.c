@@ -3,11 +3,12 @@
 #include "api/scene.h"
 
 #include "base/progress.h"
-
+#include "base/ranks.h"
 #include "world/stage_build.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 murk_status murk_world_build(murk_world *world, murk_error *err)
 {
@@ -61,6 +62,11 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
         world->context = scene->context;
         ++world->context->references;
         status = build(world, scene, &call.failure);
+    }
+    if (murk_ranks_count() > 1) {
+        const char *key = status ? "" : world->desc->whole_key;
+        status = murk_ranks_check_same("scene", key, strlen(key), status,
+                                       &call.failure);
     }
     status = murk_call_end_long(&call, status);
     if (status) {

@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <stdlib.h>
-
 /* light.part begins with the mark of light.murk. */
 static const murk_part_result light_part = {"light.part", "\x8dmurk"};
 

@@ -40,7 +40,8 @@ const murk_command murk_commands[] = {
      "Traces photons from the lamps through surfaces and media into the "
      "surface and the volume photon map. With -o writes DIR/light.murk, "
      "DIR/scene.resolved.yaml and, last, DIR/ledger.json.",
-     murk_command_trace, .formats = "murk-scene murk-light murk-results",
+     murk_command_trace, .has_ranks = true,
+     .formats = "murk-scene murk-light murk-results",
      .example = {{"murk trace scenes/slab.yaml",
                   "A slab of fog beside published figures: its reflectance and "
                   "transmittance as tallies."},
@@ -60,7 +61,7 @@ const murk_command murk_commands[] = {
      "the rows' weight is covered; DIR/plan.json is then all it writes by "
      "itself, with null where a matrix has no such thing. The formats of a "
      "matrix: murk-matrix(5).",
-     murk_command_place,
+     murk_command_place, .has_ranks = true,
      .formats = "murk-scene murk-results murk-light murk-matrix",
      .example = {{"murk place scenes/smoke-hall.yaml -o out --export matrix",
                   "Five sensors in a hall with a fire, and the coverage matrix "
@@ -91,7 +92,8 @@ const murk_command murk_commands[] = {
      "Traces and measures what the given sensors see. With -o writes "
      "DIR/coverage.json (last), coverage.csv, coverage.ply and all that trace "
      "writes.",
-     murk_command_sense, .formats = "murk-scene murk-results",
+     murk_command_sense, .has_ranks = true,
+     .formats = "murk-scene murk-results",
      .example = {{"murk sense scenes/smoke-hall.yaml --sensors out/sensors.csv",
                   "A plan again, in other light with --seed 2, or in other air "
                   "with --set."}},
@@ -108,7 +110,8 @@ const murk_command murk_commands[] = {
      "traces photons (or takes --light's), and the image's errors hold their "
      "noise; by paths it needs none. Without -o the image lies beside the "
      "scene. Channels and method: murk-scene(5), under Cameras.",
-     murk_command_render, .formats = "murk-scene murk-results",
+     murk_command_render, .has_ranks = true,
+     .formats = "murk-scene murk-results",
      .example = {{"murk render scenes/smoke-hall.yaml --set 'cameras=[{name: "
                   "door, from_m: [28, 2, 2.5], to_m: [15, 9, 3]}]' -o hall.exr",
                   "The hall from its gate."}},
@@ -125,7 +128,7 @@ const murk_command murk_commands[] = {
      "DIR/rows: the same command goes on where it was stopped. A row that "
      "fails is told in the column failed, the others go on, and the command "
      "ends with 1. The study's keys: murk-study(5).",
-     murk_command_study, .input = MURK_INPUT_STUDY,
+     murk_command_study, .has_ranks = true, .input = MURK_INPUT_STUDY,
      .formats = "murk-study murk-scene murk-results",
      .example = {{"murk study scenes/studies/fog-yard.yaml -o out",
                   "A yard from dense fog to clear air, by day and by night."}},
@@ -145,7 +148,8 @@ const murk_command murk_commands[] = {
      "fit.json. --free KEY is one value for all conditions, KEY@each one a "
      "condition, gain.NAME a factor of readings. The columns of the data, and "
      "how to read the result: murk-data(5).",
-     murk_command_fit, .formats = "murk-data murk-scene murk-results",
+     murk_command_fit, .has_ranks = true,
+     .formats = "murk-data murk-scene murk-results",
      .example =
          {{"murk fit scenes/calibrate-fog.yaml --data scenes/calibrate/fog.csv "
            "--free media.fog.extinction_per_m,media.fog.phase.hg -o out",
@@ -179,7 +183,7 @@ const murk_command murk_commands[] = {
      "of another scene, of other options or of another version of murk are "
      "refused with the difference. Run it where the parts were made: the paths "
      "of the command line are those of the parts.",
-     murk_command_merge, .input = MURK_INPUT_PARTS,
+     murk_command_merge, .has_ranks = true, .input = MURK_INPUT_PARTS,
      .formats = "murk-results murk-light",
      .example = {{"murk trace scenes/smoke-hall.yaml --shard 2/8 -o part-2",
                   "The second of eight parts, on any machine."},

@@ -18,4 +18,7 @@ murk_status murk_lookup_begin(murk_lookup *out, const char *name,
                               murk_error *err);
 void murk_lookup_end(murk_lookup *lookup);
 
+/* The version with the commit, as parts of runs state it. */
+murk_status murk_lookup_version(char *out, size_t size, murk_error *err);
+
 #endif

@@ -102,6 +102,7 @@ typedef struct murk_command {
     const char *text; /* a paragraph or two for --help and the man page */
     murk_command_run *run;
     murk_command_input input;
+    bool has_ranks;      /* ranks (base/ranks.h) run it together */
     bool is_text_alone;  /* prints one text: no scene, no JSON of results */
     const char *formats; /* man pages of section 5, with spaces between */
     murk_note_pair example[MURK_NOTES_EXAMPLES + 1];
@@ -175,6 +176,7 @@ struct murk_options {
     const murk_command *command; /* NULL: only --help, --version, --man or
                                   * --completion */
     bool wants_help, wants_version, wants_man;
+    bool has_threads;    /* the process has threads, so it must not fork */
     const char *input;   /* the scene; NULL with --matrix; a preset's name */
     const char *out;     /* -o; NULL: print, write nothing */
     const char *light;   /* --light */

@@ -3,7 +3,6 @@
  * of the command. */
 #include "app/part.h"
 
-#include "app/field.h"
 #include "app/lookup.h"
 #include "app/show.h"
 #include "base/file.h"
@@ -51,19 +50,6 @@ void murk_part_paths_release(char **paths, const murk_options *options)
         free(paths[i]);
     }
     free(paths);
-}
-
-/* The version and commit of this program, as parts state them. */
-static murk_status version_now(char out[VERSION_SIZE], murk_error *err)
-{
-    murk_lookup lookup;
-    const murk_status status = murk_lookup_begin(&lookup, "version", err);
-    if (!status) {
-        snprintf(out, VERSION_SIZE, "%s %s", murk_version(),
-                 murk_field_text(lookup.fields, "commit"));
-    }
-    murk_lookup_end(&lookup);
-    return status;
 }
 
 /* Fails if murk did not write the file, which begins with the mark, and --force
@@ -117,7 +103,7 @@ murk_status murk_part_end(const murk_options *options, murk_error *err)
         to ? murk_part_path(&path, options->out, MURK_PART_FILE, err)
            : murk_no_memory(err, "", "for the options");
     if (!status) {
-        status = version_now(version, err);
+        status = murk_lookup_version(version, sizeof version, err);
     }
     /* The lines of part.txt. */
     if (!status) {
@@ -163,7 +149,7 @@ murk_status murk_part_read(char ***argv, int *argc, char **text,
     size_t size = 0;
     murk_status status = murk_part_path(&path, folder, MURK_PART_FILE, err);
     if (!status) {
-        status = version_now(version, err);
+        status = murk_lookup_version(version, sizeof version, err);
     }
     if (!status) {
         status = murk_file_read(text, &size, path, TEXT_MAX, err);

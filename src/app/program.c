@@ -14,11 +14,15 @@
 #include <poll.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 /* What a shell calls the end by SIGPIPE: 128 + 13. */
 #define READER_GONE 141
+
+#define VERSION_SIZE 128 /* of a version with the commit */
 
 static murk_status print_version(murk_error *err)
 {
@@ -37,8 +41,69 @@ static murk_status print_version(murk_error *err)
     return status;
 }
 
+static murk_status run_command(murk_options *options, murk_error *err)
+{
+    const murk_status status = murk_terminal_begin(options, err);
+    return status ? status : options->command->run(options, err);
+}
+
+/* Fails unless all ranks run the same build of murk with the same words. */
+static murk_status check_same(const murk_options *options, murk_error *err)
+{
+    char version[VERSION_SIZE] = "", *text = NULL;
+    size_t size = 0;
+    murk_status status = murk_lookup_version(version, sizeof version, err);
+    FILE *to = open_memstream(&text, &size);
+    if (to) {
+        fprintf(to, "%s", version);
+        for (size_t i = 0; i < options->repeated.n; ++i) {
+            fprintf(to, "\n%s", options->repeated.word[i]);
+        }
+    }
+    if (!to || fclose(to) != 0) {
+        status = murk_no_memory(err, "", "for the options");
+    }
+    status = murk_ranks_check_same("build of murk, or other options,", text,
+                                   size, status, err);
+    free(text);
+    return status;
+}
+
+/* Runs a command that ranks divide, in all ranks, or another one in rank 0
+ * alone. What the other ranks would print goes nowhere. */
+static murk_status run_on_ranks(murk_options *options, murk_error *err)
+{
+    const bool is_first = murk_ranks_number() == 0;
+    murk_status status = MURK_OK;
+    if (options->shard.count) {
+        status = murk_fail(err, MURK_BAD_VALUE, "--shard",
+                           "not with several ranks, which divide the work "
+                           "themselves");
+    } else if (!is_first && !freopen("/dev/null", "w", stdout)) {
+        status =
+            murk_fail(err, MURK_RUN_FAILED, "/dev/null", "cannot be opened");
+    }
+    /* All ranks must run the same command. */
+    if (!status) {
+        status = check_same(options, err);
+    }
+    if (status || (!options->command->has_ranks && !is_first)) {
+        return status;
+    }
+    if (options->command->has_ranks) {
+        options->quiet |= !is_first;
+        options->progress = is_first ? options->progress : MURK_PROGRESS_NEVER;
+        return run_command(options, err);
+    }
+    const murk_ranks *ranks = murk_ranks_leave();
+    status = run_command(options, err);
+    murk_ranks_return(ranks);
+    return status;
+}
+
 static murk_status run(murk_options *options, murk_error *err)
 {
+    options->has_threads = murk_ranks_threads() > 0; /* those of MPI */
     if (options->wants_version) {
         return print_version(err);
     }
@@ -53,25 +118,8 @@ static murk_status run(murk_options *options, murk_error *err)
         murk_help_print(stdout, options->command);
         return MURK_OK;
     }
-    const murk_status status = murk_terminal_begin(options, err);
-    return status ? status : options->command->run(options, err);
-}
-
-/* Rank 0 alone prints. True if this process does. */
-static bool prints(void)
-{
-    return murk_ranks_number() == 0;
-}
-
-/* What the other ranks would print goes nowhere. */
-static murk_status silence(murk_options *options, murk_error *err)
-{
-    options->quiet = true;
-    options->progress = MURK_PROGRESS_NEVER;
-    return freopen("/dev/null", "w", stdout)
-               ? MURK_OK
-               : murk_fail(err, MURK_RUN_FAILED, "/dev/null",
-                           "cannot be opened");
+    return murk_ranks_count() > 1 ? run_on_ranks(options, err)
+                                  : run_command(options, err);
 }
 
 /* True if standard output is a pipe that nobody reads any more, as after
@@ -92,9 +140,6 @@ static int run_program(int argc, char **argv)
     murk_options options;
     murk_error err = {0};
     murk_status status = murk_options_parse(&options, argc, argv, &err);
-    if (!status && !prints()) {
-        status = silence(&options, &err);
-    }
     if (!status) {
         status = run(&options, &err);
     }
@@ -114,7 +159,7 @@ static int run_program(int argc, char **argv)
         }
     }
     status = murk_ranks_agree(status, &err);
-    if (status && prints()) {
+    if (status) {
         murk_terminal_fail(&options, &err);
     }
     murk_options_release(&options);

@@ -224,12 +224,6 @@ static size_t list_files_of_keys(const char **file, const murk_options *options)
     return n;
 }
 
-/* A process of MPI has threads, so it must not fork. */
-static murk_imports imports(void)
-{
-    return murk_ranks_count() > 1 ? MURK_IMPORTS_READER : MURK_IMPORTS_FORK;
-}
-
 murk_status murk_terminal_begin(murk_options *options, murk_error *err)
 {
     const char **file = calloc(options->n_given + 1, sizeof *file);
@@ -241,7 +235,8 @@ murk_status murk_terminal_begin(murk_options *options, murk_error *err)
         .threads = options->threads ? options->threads : murk_ranks_threads(),
         .log = tell,
         .user = options,
-        .imports = imports(),
+        .imports =
+            options->has_threads ? MURK_IMPORTS_READER : MURK_IMPORTS_FORK,
         .line = options->quiet ? MURK_PROGRESS_NEVER : options->progress,
         .inputs = file,
         .n_inputs = list_files_of_keys(file, options)};

@@ -44,6 +44,8 @@ typedef struct murk_host {
     atomic_bool inputs_are_full;
     struct murk_progress_bar *bar;  /* base/progress.h */
     const struct murk_ranks *ranks; /* base/ranks.h; NULL: one process */
+    const char *version; /* of the library, with the commit; NULL: that of the
+                          * header alone */
     murk_importing importing;
     const char *reader; /* path of the program murk-reader, beside which
                          * murk-rows lies; NULL: those beside the library */
@@ -53,6 +55,9 @@ typedef struct murk_host {
 
 /* The host that the calling thread belongs to. */
 murk_host *murk_host_now(void);
+
+/* The version by which parts of runs of different builds are told apart. */
+const char *murk_host_version(void);
 
 /* Binds the calling thread to a host, or to the host of the process if `host`
  * is NULL. Returns the host that the thread belonged to, never NULL. The caller

@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/host.h"
 #include "base/progress.h"
+#include "base/ranks.h"
 #include "base/utf8.h"
 
 #include <pthread.h>
@@ -29,6 +30,9 @@
 void murk_message(const char *kind, const char *where, const char *text)
 {
     char shown_where[SHOWN_SIZE], shown_text[SHOWN_SIZE];
+    if (murk_ranks_number() > 0) {
+        return;
+    }
     murk_utf8_escape(shown_where, sizeof shown_where, where);
     murk_utf8_escape(shown_text, sizeof shown_text, text);
     murk_progress_hide(); /* an unfinished step may have left a progress line */

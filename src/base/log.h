@@ -47,7 +47,7 @@ void murk_log_restore(const murk_log_receiver *receiver);
  * without ": " if `where` is empty. Warnings, notes and the error of the
  * program are printed by this function. `where` and `text` may come from a file
  * or an option, so control characters in them are shown escaped (base/utf8.h).
- */
+ * With ranks (base/ranks.h) rank 0 alone prints. */
 void murk_message(const char *kind, const char *where, const char *text);
 
 /* True if the same message is not among the last 256 messages that were

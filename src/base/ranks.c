@@ -4,8 +4,13 @@
 
 #include "base/host.h"
 
+#include "base/file.h"
+
 #include <stdlib.h>
 #include <string.h>
+
+/* More items than are ever dealt out. */
+#define ITEMS_MAX (UINT64_C(1) << 60)
 
 unsigned murk_ranks_count(void)
 {
@@ -120,6 +125,51 @@ void murk_gathered_release(murk_gathered *gathered)
     *gathered = (murk_gathered){0};
 }
 
+/* The first rank whose bytes are not those of rank 0; the number of ranks if
+ * all are equal. */
+static murk_status find_other(unsigned *other, const void *bytes, size_t size,
+                              murk_status status, murk_error *err)
+{
+    murk_gathered all = {NULL};
+    uint64_t sum[2] = {0};
+    *other = murk_ranks_count();
+    if (*other == 1) {
+        return status;
+    }
+    if (!status) {
+        murk_checksum(bytes, size, sum);
+    }
+    status = murk_ranks_gather(&all, sum, sizeof sum, status, err);
+    for (unsigned r = murk_ranks_count(); r-- > 1 && !status;) {
+        if (memcmp(all.bytes + r * sizeof sum, all.bytes, sizeof sum) != 0) {
+            *other = r;
+        }
+    }
+    murk_gathered_release(&all);
+    return status;
+}
+
+murk_status murk_ranks_compare(bool *is_same, const void *bytes, size_t size,
+                               murk_status status, murk_error *err)
+{
+    unsigned other;
+    status = find_other(&other, bytes, size, status, err);
+    *is_same = other == murk_ranks_count();
+    return status;
+}
+
+murk_status murk_ranks_check_same(const char *what, const void *bytes,
+                                  size_t size, murk_status status,
+                                  murk_error *err)
+{
+    unsigned other;
+    status = find_other(&other, bytes, size, status, err);
+    return status || other == murk_ranks_count()
+               ? status
+               : murk_fail(err, MURK_RUN_FAILED, "",
+                           "rank %u has another %s than rank 0", other, what);
+}
+
 murk_status murk_ranks_deal(murk_deal *out, murk_status status, murk_error *err)
 {
     const murk_ranks *ranks = murk_host_now()->ranks;
@@ -134,5 +184,15 @@ murk_status murk_ranks_deal(murk_deal *out, murk_status status, murk_error *err)
 uint64_t murk_ranks_take(murk_deal *deal)
 {
     const murk_ranks *ranks = deal->ranks;
-    return ranks ? ranks->next(ranks->context) : deal->next++;
+    return ranks ? ranks->next(ranks->context, 1) : deal->next++;
+}
+
+void murk_ranks_take_no_more(murk_deal *deal)
+{
+    const murk_ranks *ranks = deal->ranks;
+    if (ranks) {
+        (void)ranks->next(ranks->context, ITEMS_MAX);
+    } else {
+        deal->next = ITEMS_MAX;
+    }
 }

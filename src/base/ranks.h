@@ -12,7 +12,9 @@
  * otherwise: every rank calls the same ones in the same order, from the thread
  * that works for the host. Each of them takes the status of the caller so far.
  * If a rank has failed, the call fails in all ranks, with the failure of the
- * first rank that has, and so does every later call. */
+ * first rank that has, and so does every later call: a failure that passed
+ * through one of these functions is final. Work whose failure the caller
+ * tolerates is done after murk_ranks_leave(). */
 #ifndef MURK_BASE_RANKS_H
 #define MURK_BASE_RANKS_H
 
@@ -39,9 +41,9 @@ typedef struct murk_ranks {
      * order of the ranks. */
     void (*gather)(void *context, const void *bytes, void *all,
                    const uint64_t *size);
-    /* The next number of a counter that all ranks share, from 0; restart() is
-     * collective. */
-    uint64_t (*next)(void *context);
+    /* Adds to a counter that all ranks share, and returns the value before;
+     * restart() sets the counter to 0 and is collective. */
+    uint64_t (*next)(void *context, uint64_t add);
     void (*restart)(void *context);
 } murk_ranks;
 
@@ -76,6 +78,16 @@ void murk_ranks_return(const murk_ranks *ranks);
 /* Returns `status`, or the failure of another rank. */
 murk_status murk_ranks_agree(murk_status status, murk_error *err);
 
+/* *is_same: whether all ranks have equal bytes. */
+murk_status murk_ranks_compare(bool *is_same, const void *bytes, size_t size,
+                               murk_status status, murk_error *err);
+
+/* Fails with MURK_RUN_FAILED, naming a rank, unless all ranks have equal bytes:
+ * `what`, for example "scene". */
+murk_status murk_ranks_check_same(const char *what, const void *bytes,
+                                  size_t size, murk_status status,
+                                  murk_error *err);
+
 /* Adds the words of all ranks; see murk_ranks.sum. */
 murk_status murk_ranks_sum(uint64_t *word, size_t n, bool is_128,
                            murk_status status, murk_error *err);
@@ -109,5 +121,8 @@ typedef struct murk_deal {
 murk_status murk_ranks_deal(murk_deal *out, murk_status status,
                             murk_error *err);
 uint64_t murk_ranks_take(murk_deal *deal);
+
+/* No rank takes a further item. Not collective. */
+void murk_ranks_take_no_more(murk_deal *deal);
 
 #endif

@@ -6,7 +6,7 @@
  */
 #include "calibrate/start_parts.h"
 
-#include "base/version.h"
+#include "base/host.h"
 #include "calibrate/search.h"
 #include "lightmap/key_check.h"
 #include "photonmap/map_file.h"
@@ -20,7 +20,7 @@
 
 typedef struct part_facts {
     uint32_t number, count;
-    char version[56]; /* of murk */
+    char version[56]; /* murk_host_version() */
     char data[64];    /* SHA-256 of the readings, in hex */
 } part_facts;
 
@@ -120,7 +120,7 @@ murk_status murk_start_part_write(const murk_calibration *found,
     /* What the part belongs to. */
     part_facts facts = {.number = desc->shard.number,
                         .count = desc->shard.count};
-    snprintf(facts.version, sizeof facts.version, "%s", MURK_VERSION);
+    snprintf(facts.version, sizeof facts.version, "%s", murk_host_version());
     memcpy(facts.data, desc->measured->sha256, sizeof facts.data);
     const char *scene = desc->scene->resolved;
     const murk_section sections[] = {
@@ -171,10 +171,12 @@ static murk_status check_owner(const part *p, const murk_calibration_desc *desc,
     if (!scene || !files || !options) {
         return bad_part(p, "the scene is missing", err);
     }
-    if (strncmp(p->facts.version, MURK_VERSION, sizeof p->facts.version) != 0) {
-        return murk_fail(
-            err, MURK_BAD_VALUE, p->path, "made by murk %.*s, this is %s",
-            (int)sizeof p->facts.version, p->facts.version, MURK_VERSION);
+    if (strncmp(p->facts.version, murk_host_version(),
+                sizeof p->facts.version) != 0) {
+        return murk_fail(err, MURK_BAD_VALUE, p->path,
+                         "made by murk %.*s, this is %s",
+                         (int)sizeof p->facts.version, p->facts.version,
+                         murk_host_version());
     }
     murk_status status = murk_lightmap_check_text(scene, desc->scene->resolved,
                                                   "scene", p->path, err);
@@ -214,10 +216,23 @@ static bool is_text(const char *text, size_t size)
     return i < size && text[i] == '\0';
 }
 
+/* True if x[n], in search coordinates, lies within the bounds of the keys. */
+static bool are_allowed(const double *x, const murk_free_keys *keys)
+{
+    for (size_t k = 0; k < keys->n; ++k) {
+        if (!(x[k] >= murk_free_lowest(&keys->key[k]) &&
+              x[k] <= murk_free_highest(&keys->key[k]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* True if a search can have left this record. Start 0 has an end. The sums of
  * counts cannot overflow. */
 static bool is_record(const record *r, const double *points,
-                      const murk_calibration *out, const murk_shard *shard)
+                      const murk_calibration *out, const murk_free_keys *keys,
+                      const murk_shard *shard)
 {
     const uint64_t count_max = INT_MAX / (uint64_t)out->starts;
     const bool has_end = !isnan(r->chi2);
@@ -230,12 +245,13 @@ static bool is_record(const record *r, const double *points,
            r->converged <= 1 && r->traces <= count_max &&
            r->lights <= count_max && r->evaluations <= count_max &&
            r->iterations <= count_max && is_text(r->why, sizeof r->why) &&
-           are_finite(points, 2 * out->n);
+           are_finite(points, 2 * out->n) &&
+           (!has_end || are_allowed(points, keys));
 }
 
 /* Finds the records and points of the part, and checks them. */
 static murk_status check_records(part *p, const murk_calibration *out,
-                                 murk_error *err)
+                                 const murk_free_keys *keys, murk_error *err)
 {
     const murk_section *starts = find(p, "starts"), *points = find(p, "points");
     if (!starts || starts->size == 0 || starts->size % sizeof(record) != 0) {
@@ -254,8 +270,8 @@ static murk_status check_records(part *p, const murk_calibration *out,
         const bool is_in_order =
             i == 0 ? p->record[i].number == 0
                    : p->record[i].number > p->record[i - 1].number;
-        if (!is_in_order ||
-            !is_record(&p->record[i], p->point + i * 2 * out->n, out, &shard)) {
+        if (!is_in_order || !is_record(&p->record[i], p->point + i * 2 * out->n,
+                                       out, keys, &shard)) {
             return bad_part(p, "searches that no fit has", err);
         }
     }
@@ -280,7 +296,7 @@ static murk_status read_part(part *p, const murk_calibration *out,
         return bad_part(p, "no number of a part", err);
     }
     status = check_owner(p, desc, names, err);
-    return status ? status : check_records(p, out, err);
+    return status ? status : check_records(p, out, desc->keys, err);
 }
 
 /* True if the start is the one of the record. */

@@ -10,6 +10,7 @@
 #include "cases/condition_plans.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Probability beyond either end of the interval of the gap, of 95 %. */
 #define MISS 0.025
@@ -152,36 +153,80 @@ static murk_status make_run(const making *m, size_t later, murk_error *err)
                   : MURK_OK;
 }
 
+/* How the runs of one rank ended. */
+typedef struct ending {
+    uint64_t failed; /* number of the run that failed; UINT64_MAX: none did */
+    murk_status status;
+    murk_error error;
+} ending;
+
+/* The failure of the run with the lowest number, of all ranks. A failure here
+ * is that of the exchange. */
+static murk_status find_failure(ending *out, const ending *own, murk_error *err)
+{
+    murk_gathered all;
+    const murk_status status =
+        murk_ranks_gather(&all, own, sizeof *own, MURK_OK, err);
+    *out = (ending){.failed = UINT64_MAX};
+    for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
+        ending one;
+        memcpy(&one, all.bytes + r * sizeof one, sizeof one);
+        if (one.failed < out->failed) {
+            *out = one;
+        }
+    }
+    murk_gathered_release(&all);
+    return status;
+}
+
 /* Makes all runs with the other ranks: each rank makes the next run until none
- * is left. If a run fails, none is kept but the first. */
+ * is left or a run has failed. Runs are dealt out in order, so those before the
+ * failed one with the lowest number are made, as in a single process. */
 static murk_status make_dealt(const making *m, murk_error *err)
 {
     murk_repeat *repeat = m->repeat;
-    const size_t bytes = repeat->asked * sizeof *repeat->run;
     murk_repeat_run *made = calloc(repeat->asked, sizeof *made);
+    ending own = {.failed = UINT64_MAX}, first = own;
     murk_deal deal;
     murk_status status = murk_ranks_deal(
         &deal, made ? MURK_OK : no_memory(repeat->asked, err), err);
     const murk_ranks *ranks = murk_ranks_leave();
     uint64_t later = 0;
-    while (!status && (later = murk_ranks_take(&deal) + 1) < repeat->asked) {
-        if (!m->is_left_out || !m->is_left_out[later]) {
-            status = make_run(m, (size_t)later, err);
+    while (!status && !own.status &&
+           (later = murk_ranks_take(&deal) + 1) < repeat->asked) {
+        if (m->is_left_out && m->is_left_out[later]) {
+            continue;
+        }
+        own.status = make_run(m, (size_t)later, &own.error);
+        if (own.status) {
+            own.failed = later;
+            murk_ranks_take_no_more(&deal);
+        } else {
             made[later] = repeat->run[later];
             murk_progress_add_to_group(1);
         }
     }
     murk_ranks_return(ranks);
     /* Exchange. */
-    status = murk_ranks_complete(made, bytes, status, err);
-    for (size_t i = 1; i < repeat->asked && !status; ++i) {
+    status =
+        murk_ranks_complete(made, repeat->asked * sizeof *made, status, err);
+    if (!status) {
+        status = find_failure(&first, &own, err);
+    }
+    const bool has_failed = first.failed < repeat->asked;
+    repeat->runs = status       ? 1
+                   : has_failed ? (size_t)first.failed
+                                : repeat->asked;
+    for (size_t i = 1; i < repeat->runs; ++i) {
         if (!m->is_left_out || !m->is_left_out[i]) {
             repeat->run[i] = made[i];
         }
     }
-    repeat->runs = status ? 1 : repeat->asked;
     free(made);
-    return status;
+    return status || !has_failed
+               ? status
+               : murk_fail(err, first.status, first.error.where, "%s",
+                           first.error.text);
 }
 
 murk_status murk_repeat_make(murk_repeat *out, const murk_repeat_first *first,

@@ -4,8 +4,8 @@
  * compared line by line, so that a message can name the first difference. */
 #include "cases/repeat_part.h"
 
+#include "base/host.h"
 #include "base/number.h"
-#include "base/version.h"
 #include "lightmap/key_check.h"
 #include "photonmap/map_file.h"
 #include "scene/print.h"
@@ -19,7 +19,7 @@
 typedef struct facts {
     uint64_t asked; /* runs of the undivided run, the first one included */
     uint32_t number, count;
-    char version[32]; /* of murk, ended by '\0' */
+    char version[64]; /* murk_host_version(), ended by '\0' */
 } facts;
 
 /* A run in the section "runs", as it is stored: without padding. */
@@ -157,7 +157,9 @@ murk_status murk_repeat_part_write(const murk_repeat *repeat,
     const size_t n = count_runs(first, repeat->asked, shard);
     stored_run *run = calloc(n + 1, sizeof *run);
     texts t = {NULL, NULL, NULL};
-    facts f = {repeat->asked, shard.number, shard.count, MURK_VERSION};
+    facts f = {
+        .asked = repeat->asked, .number = shard.number, .count = shard.count};
+    snprintf(f.version, sizeof f.version, "%s", murk_host_version());
     murk_status status =
         run ? make_texts(&t, repeat, first, err)
             : murk_no_memory(err, path, "for %zu runs", repeat->asked);
@@ -251,10 +253,10 @@ static murk_status check_text(const part_file *file, const char *name,
 static murk_status check_owner(const reading *r, const part_file *file,
                                const facts *f, murk_error *err)
 {
-    if (strncmp(f->version, MURK_VERSION, sizeof f->version) != 0) {
-        return murk_fail(err, MURK_BAD_VALUE, file->path,
-                         "made by murk %.*s, this is %s",
-                         (int)sizeof f->version, f->version, MURK_VERSION);
+    if (strncmp(f->version, murk_host_version(), sizeof f->version) != 0) {
+        return murk_fail(
+            err, MURK_BAD_VALUE, file->path, "made by murk %.*s, this is %s",
+            (int)sizeof f->version, f->version, murk_host_version());
     }
     /* The scene, the files that it names, and the plan; then the number of runs
      * and of parts. */

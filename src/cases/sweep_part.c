@@ -286,26 +286,18 @@ static murk_status read_part(reading *r, part *p, murk_error *err)
                : status;
 }
 
-/* Warns of missing parts, of which the first few are named, and of rows that
- * cannot be taken over. */
+static bool has_part(const void *of, uint32_t number)
+{
+    const reading *r = of;
+    return r->has[number - 1];
+}
+
+/* Warns of missing parts, and of rows that cannot be taken over. */
 static void warn(const reading *r)
 {
     const murk_sweep *sweep = r->sweep;
-    char names[128] = "";
-    size_t length = 0, missing = 0;
-    for (uint32_t k = 0; k < r->count; ++k) {
-        missing += !r->has[k];
-        if (!r->has[k] && length + 16 < sizeof names) {
-            length += (size_t)snprintf(names + length, sizeof names - length,
-                                       "%s%u", length ? ", " : "", k + 1);
-        }
-    }
-    if (missing > 0) {
-        murk_warn("merge",
-                  "%zu of %u parts are missing (%s%s): their rows are run now",
-                  missing, r->count, names,
-                  length + 16 < sizeof names ? "" : ", ...");
-    }
+    murk_shards_warn_of_missing(has_part, r, r->count,
+                                "their rows are run now");
     /* Rows that a part has, whose files are not those that it wrote. */
     for (size_t i = 0; i < sweep->desc.study->rows; ++i) {
         if (r->sum[i][0] && !sweep->row[i].is_done) {

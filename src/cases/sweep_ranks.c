@@ -7,6 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* What all ranks must see alike of a row. */
+typedef struct row_state {
+    char key[65];
+    bool is_done;
+} row_state;
+
 murk_status murk_sweep_ranks_begin(murk_sweep *sweep, murk_status status,
                                    murk_error *err)
 {
@@ -15,26 +21,18 @@ murk_status murk_sweep_ranks_begin(murk_sweep *sweep, murk_status status,
         return status;
     }
     sweep->found.is_shared = true;
-    uint64_t *done = calloc(rows + 1, sizeof *done);
-    if (!status && !done) {
+    row_state *state = calloc(rows + 1, sizeof *state);
+    if (!status && !state) {
         status = murk_no_memory(err, "", "for %zu rows", rows);
     }
-    /* Count the ranks that have each row. */
+    /* The keys of the rows, and whether each is done. */
     for (size_t i = 0; i < rows && !status; ++i) {
-        done[i] = sweep->row[i].is_done;
+        memcpy(state[i].key, sweep->row[i].key, sizeof state[i].key);
+        state[i].is_done = sweep->row[i].is_done;
     }
-    status = murk_ranks_sum(done, rows, false, status, err);
-    for (size_t i = 0; i < rows && !status; ++i) {
-        if (done[i] != 0 && done[i] != murk_ranks_count()) {
-            status = murk_fail(err, MURK_RUN_FAILED,
-                               sweep->desc.folder ? sweep->desc.folder : "",
-                               "the stored row %zu is seen by %llu of %u "
-                               "ranks: all must see the same folder",
-                               i + 1, (unsigned long long)done[i],
-                               murk_ranks_count());
-        }
-    }
-    free(done);
+    status = murk_ranks_check_same("study, or sees other stored rows,", state,
+                                   rows * sizeof *state, status, err);
+    free(state);
     return status;
 }
 

@@ -19,6 +19,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- rows ---- */
@@ -139,6 +140,9 @@ static murk_status run_groups(murk_sweep *sweep, bool measures_plans,
             status = run_group(sweep, &sweep->group[g], measures_plans, err);
         }
     }
+    if (status) {
+        murk_ranks_take_no_more(&deal);
+    }
     murk_ranks_return(ranks);
     return murk_sweep_ranks_exchange(sweep, sweep->desc.study->rows,
                                      measures_plans ? put_values : put_row,
@@ -236,7 +240,9 @@ static murk_status make_plans(murk_sweep *sweep, murk_error *err)
         is_any_missing |= plan->is_wanted && !plan->is_reused;
     }
     /* No rank stores a plan before all have looked for stored ones. */
-    murk_status status = murk_ranks_agree(MURK_OK, err);
+    murk_status status =
+        murk_ranks_check_same("folder of the study", &is_any_missing,
+                              sizeof is_any_missing, MURK_OK, err);
     if (sweep->choosers == 0 || !is_any_missing || status) {
         return status;
     }
@@ -290,6 +296,25 @@ static void sum_up(murk_sweep *sweep, int p)
     plan->mean = murk_mean_of(&mean, false);
 }
 
+/* All ranks must have the same stored values, and no rank stores one before all
+ * have read theirs. */
+static murk_status check_values(const murk_sweep *sweep, murk_status status,
+                                murk_error *err)
+{
+    const size_t rows = sweep->desc.study->rows;
+    bool *has = calloc(rows + 1, sizeof *has);
+    if (!status && !has) {
+        status = murk_no_memory(err, "", "for %zu rows", rows);
+    }
+    for (size_t i = 0; i < rows && !status; ++i) {
+        has[i] = sweep->row[i].has_plans;
+    }
+    status = murk_ranks_check_same("folder of the study", has,
+                                   rows * sizeof *has, status, err);
+    free(has);
+    return status;
+}
+
 static murk_status plan_for_all(murk_sweep *sweep, murk_error *err)
 {
     if (!murk_outputs_plan_for_all(&sweep->outputs)) {
@@ -300,7 +325,7 @@ static murk_status plan_for_all(murk_sweep *sweep, murk_error *err)
     murk_status status = make_plans(sweep, err);
     if (!status) {
         status = load_values(sweep, err);
-        status = murk_ranks_agree(status, err); /* before any is stored */
+        status = check_values(sweep, status, err);
     }
     if (!status) {
         status = run_groups(sweep, true, err);

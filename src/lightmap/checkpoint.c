@@ -87,36 +87,38 @@ murk_status murk_checkpoint_read(murk_light_parts **out, const char *path,
                                  const murk_stage *stage, murk_error *err)
 {
     *out = NULL;
-    /* All ranks must go on from the same photons. */
-    const bool is_there = access(path, F_OK) == 0 || errno != ENOENT;
-    uint64_t ranks = is_there;
-    murk_status found = murk_ranks_sum(&ranks, 1, false, MURK_OK, err);
-    if (!found && ranks > 0 && ranks < murk_ranks_count()) {
-        found = murk_fail(err, MURK_RUN_FAILED, path,
-                          "%llu of %u ranks see this checkpoint: all must, or "
-                          "none",
-                          (unsigned long long)ranks, murk_ranks_count());
-    }
-    if (found || !is_there) {
-        return found;
-    }
     murk_error why = {0};
-    /* The run writes this file again, so it is no input. */
-    const murk_inputs_before before = murk_inputs_try();
-    const murk_status status =
-        murk_light_parts_read(out, &path, 1, stage, &why);
-    murk_inputs_forget(&before);
-    if (status == MURK_NO_MEMORY) {
-        return murk_fail(err, status, why.where, "%s", why.text);
+    murk_status status = MURK_OK;
+    const bool is_there = access(path, F_OK) == 0 || errno != ENOENT;
+    if (is_there) {
+        /* The run writes this file again, so it is no input. */
+        const murk_inputs_before before = murk_inputs_try();
+        status = murk_light_parts_read(out, &path, 1, stage, &why);
+        murk_inputs_forget(&before);
     }
-    if (status) {
+    if (status && status != MURK_NO_MEMORY) {
         murk_warn(why.where,
                   "this checkpoint is not used, and light is traced from the "
                   "begin: %s",
                   why.text);
-    } else {
-        murk_note(path, "%.6g photons of an earlier run go on from here",
-                  (double)murk_light_parts_end(*out) * MURK_BATCH_PHOTONS);
+        status = MURK_OK;
+    } else if (status) {
+        status = murk_fail(err, status, why.where, "%s", why.text);
     }
-    return MURK_OK;
+    /* All ranks go on from the same photons, or none does. */
+    const uint64_t end = *out ? murk_light_parts_end(*out) : 0;
+    bool is_same = true;
+    status = murk_ranks_compare(&is_same, &end, sizeof end, status, err);
+    if (!status && !is_same) {
+        murk_warn(path, "ranks see different checkpoints, so light is traced "
+                        "from the begin: they need a common folder");
+    }
+    if (status || !is_same) {
+        murk_light_parts_destroy(*out);
+        *out = NULL;
+    } else if (*out) {
+        murk_note(path, "%.6g photons of an earlier run go on from here",
+                  (double)end * MURK_BATCH_PHOTONS);
+    }
+    return status;
 }

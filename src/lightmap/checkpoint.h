@@ -27,8 +27,9 @@ void murk_checkpoint_write(murk_checkpoint *checkpoint, const murk_stage *stage,
                            uint64_t batches);
 
 /* Reads the checkpoint of an earlier run, if there is one: *out is NULL if
- * there is none, or, with a warning, if the file belongs to another run. The
- * caller destroys *out. Fails with MURK_NO_MEMORY. */
+ * there is none, or, with a warning, if the file belongs to another run or if
+ * ranks see different files. The caller destroys *out. Collective. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_checkpoint_read(murk_light_parts **out, const char *path,
                                  const murk_stage *stage, murk_error *err);
 

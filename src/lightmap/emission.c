@@ -16,6 +16,7 @@
 #include "lightmap/rank_exchange.h"
 
 #include <math.h>
+#include <string.h>
 
 static const murk_scene_photons *settings_of(const murk_emission *e)
 {
@@ -256,7 +257,11 @@ murk_status murk_emission_check(const murk_emission *e, murk_error *err)
 murk_status murk_emission_run(murk_emission *e, murk_error *err)
 {
     bool is_done = murk_sources_lit(e->stage->lights) == 0;
-    murk_status status = MURK_OK;
+    const char *key = e->stage->light_key;
+    murk_status status =
+        is_divided(e) ? murk_ranks_check_same("scene, or another file of it,",
+                                              key, strlen(key), MURK_OK, err)
+                      : MURK_OK;
     while (!is_done && !status) {
         if (e->emitted >= photons_max(e)) {
             return murk_fail(err, MURK_RUN_FAILED, settings_of(e)->where,

@@ -4,8 +4,8 @@
  * in arrays. */
 #include "lightmap/light_part.h"
 
+#include "base/host.h"
 #include "base/machine.h"
-#include "base/version.h"
 #include "lightmap/key_check.h"
 #include "lightmap/rank_exchange.h"
 #include "lightmap/store_check.h"
@@ -58,7 +58,7 @@ murk_status murk_light_part_write(const char *path,
         .end = murk_light_part_end(max, c->shard, c->batches),
         .number = c->shard.number,
         .count = c->shard.count};
-    snprintf(f.version, sizeof f.version, "%s", MURK_VERSION);
+    snprintf(f.version, sizeof f.version, "%s", murk_host_version());
     const murk_vec3 origin = scene->origin;
     /* What the part belongs to, the sums, and the records. */
     const murk_light_sums *sums = c->sums;
@@ -119,10 +119,12 @@ static murk_status check_owner(const part *p, const murk_stage *stage,
     if (!scene || !key) {
         return bad_part(p->path, "the scene is missing", err);
     }
-    if (strncmp(p->facts.version, MURK_VERSION, sizeof p->facts.version) != 0) {
-        return murk_fail(
-            err, MURK_BAD_VALUE, p->path, "made by murk %.*s, this is %s",
-            (int)sizeof p->facts.version, p->facts.version, MURK_VERSION);
+    if (strncmp(p->facts.version, murk_host_version(),
+                sizeof p->facts.version) != 0) {
+        return murk_fail(err, MURK_BAD_VALUE, p->path,
+                         "made by murk %.*s, this is %s",
+                         (int)sizeof p->facts.version, p->facts.version,
+                         murk_host_version());
     }
     murk_status status = murk_lightmap_check_text(scene, stage->scene->resolved,
                                                   "scene", p->path, err);

@@ -20,7 +20,7 @@ typedef struct murk_light_part_facts {
     uint64_t batches; /* of this part */
     uint64_t end;     /* photons of this part have smaller numbers */
     uint32_t number, count;
-    char version[32]; /* of murk, ended by '\0' */
+    char version[64]; /* murk_host_version(), ended by '\0' */
 } murk_light_part_facts;
 
 /* The number of photons of a whole run, at most: with photons.store as many as

@@ -140,25 +140,26 @@ static void *deal(void *context)
             nanosleep(&pause, NULL);
             continue;
         }
-        MPI_Recv(NULL, 0, MPI_BYTE, from.MPI_SOURCE, from.MPI_TAG, mpi->dealing,
-                 MPI_STATUS_IGNORE);
+        uint64_t add = 0;
+        MPI_Recv(&add, 1, MPI_UINT64_T, from.MPI_SOURCE, from.MPI_TAG,
+                 mpi->dealing, MPI_STATUS_IGNORE);
         if (from.MPI_TAG == STOP) {
             return NULL;
         }
-        const uint64_t number = atomic_fetch_add(&mpi->next, 1);
+        const uint64_t number = atomic_fetch_add(&mpi->next, add);
         MPI_Send(&number, 1, MPI_UINT64_T, from.MPI_SOURCE, ANSWER,
                  mpi->dealing);
     }
 }
 
-static uint64_t next(void *context)
+static uint64_t next(void *context, uint64_t add)
 {
     murk_mpi *mpi = context;
     if (mpi->ranks.number == 0) {
-        return atomic_fetch_add(&mpi->next, 1);
+        return atomic_fetch_add(&mpi->next, add);
     }
     uint64_t number = 0;
-    MPI_Send(NULL, 0, MPI_BYTE, 0, ASK, mpi->dealing);
+    MPI_Send(&add, 1, MPI_UINT64_T, 0, ASK, mpi->dealing);
     MPI_Recv(&number, 1, MPI_UINT64_T, 0, ANSWER, mpi->dealing,
              MPI_STATUS_IGNORE);
     return number;
@@ -237,7 +238,7 @@ murk_mpi *murk_mpi_begin(int *argc, char ***argv)
 
 const murk_ranks *murk_mpi_ranks(const murk_mpi *mpi)
 {
-    return mpi->ranks.count > 1 ? &mpi->ranks : NULL;
+    return &mpi->ranks;
 }
 
 void murk_mpi_end(murk_mpi *mpi)
@@ -247,7 +248,8 @@ void murk_mpi_end(murk_mpi *mpi)
     }
     MPI_Barrier(MPI_COMM_WORLD);
     if (mpi->has_dealer) {
-        MPI_Send(NULL, 0, MPI_BYTE, 0, STOP, mpi->dealing);
+        const uint64_t none = 0;
+        MPI_Send(&none, 1, MPI_UINT64_T, 0, STOP, mpi->dealing);
         pthread_join(mpi->dealer, NULL);
     }
     MPI_Type_free(&mpi->wide);

@@ -297,7 +297,10 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         matrix->row = calloc(problem->candidates + 1, sizeof *matrix->row);
         matrix->space = calloc(1, sizeof *matrix->space);
     }
-    if (!matrix || !matrix->row || !matrix->space) {
+    /* All ranks exchange hashes, or none does. */
+    const bool lacks_hash =
+        murk_ranks_count() > 1 && merging != MURK_MERGE_NEVER && !hash;
+    if (!matrix || !matrix->row || !matrix->space || lacks_hash) {
         status = murk_no_memory(err, "", "for a matrix of %zu candidates",
                                 problem->candidates);
         goto done;

@@ -3,6 +3,8 @@
  * (placement/place.h), which knows all candidates, computes the bounds. */
 #include "plan/explore.h"
 
+#include "base/ranks.h"
+
 #include <assert.h>
 #include <stdlib.h>
 
@@ -66,8 +68,12 @@ static murk_status bound_by_rows(murk_place_result *out, size_t *fewest,
 {
     murk_matrix *matrix = NULL;
     murk_error full = {0};
+    /* Each rank computes all rows, because the failure of one of them, whose
+     * disk is too small, is no failure of the others. */
+    const murk_ranks *ranks = murk_ranks_leave();
     murk_status status =
         murk_matrix_create(&matrix, problem, desc->row_memory, &full);
+    murk_ranks_return(ranks);
     status = status == MURK_OK || status == MURK_RUN_FAILED
                  ? bound_all(out, fewest, problem, matrix, desc, err)
                  : murk_fail(err, status, full.where, "%s", full.text);

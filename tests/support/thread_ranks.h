@@ -13,7 +13,8 @@ typedef enum thread_ranks_defect {
     THREAD_RANKS_LOSE_WORDS, /* sums leave out the words of the last rank */
     THREAD_RANKS_LOSE_CARRY, /* sums of 128 bits drop the carry */
     THREAD_RANKS_FLIP_BIT,   /* a bit in the middle of the bytes that the last
-                              * rank gives to a gather is another */
+                              * rank gives to a gather is another, but not of
+                              * checksums (murk_ranks_compare()) */
     THREAD_RANKS_DEAL_TWICE, /* the counter gives the number 1 twice */
 } thread_ranks_defect;
 
@@ -27,8 +28,7 @@ typedef struct thread_ranks_end {
     murk_error error[THREAD_RANKS_MAX];
 } thread_ranks_end;
 
-/* Runs work(context, number, err) in `count` ranks. One rank has no table, as
- * in murk-mpi. */
+/* Runs work(context, number, err) in `count` ranks. */
 thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
                                   thread_ranks_work work, void *context);
 

@@ -343,6 +343,72 @@ static void test_shares_cover_all_items_once(void)
     }
 }
 
+/* ---- equal bytes ---- */
+
+typedef struct texts {
+    const char *of[THREAD_RANKS_MAX];
+    bool is_same[THREAD_RANKS_MAX];
+} texts;
+
+/* Compares the texts of all ranks, then fails if they differ. */
+static murk_status compare_texts(void *context, unsigned number,
+                                 murk_error *err)
+{
+    texts *t = context;
+    const char *own = t->of[number];
+    const murk_status status =
+        murk_ranks_compare(&t->is_same[number], own, strlen(own), MURK_OK, err);
+    return murk_ranks_check_same("text", own, strlen(own), status, err);
+}
+
+static void test_other_bytes_of_a_rank_are_noticed(void)
+{
+    texts t = {.of = {"fog", "fog", "fog", "fig"}};
+    thread_ranks_end end =
+        thread_ranks_run(3, THREAD_RANKS_SOUND, compare_texts, &t);
+    CHECK(thread_ranks_succeeded(&end, 3));
+    CHECK(t.is_same[0] && t.is_same[2]);
+    end = thread_ranks_run(4, THREAD_RANKS_SOUND, compare_texts, &t);
+    for (unsigned r = 0; r < 4; ++r) {
+        CHECK(!t.is_same[r]);
+        CHECK(end.status[r] == MURK_RUN_FAILED);
+        CHECK_TEXT(end.error[r].text, "rank 3 has another text than rank 0");
+    }
+}
+
+/* ---- dealing that ends early ---- */
+
+/* Ranks take items until one of them takes item 5. */
+static murk_status take_until_5(void *context, unsigned number, murk_error *err)
+{
+    uint64_t *last = context; /* [ranks] */
+    murk_deal deal;
+    const murk_status status = murk_ranks_deal(&deal, MURK_OK, err);
+    for (uint64_t i = 0; !status && (i = murk_ranks_take(&deal)) < 1000000;) {
+        last[number] = i > last[number] ? i : last[number];
+        if (i == 5) {
+            murk_ranks_take_no_more(&deal);
+        }
+    }
+    return status;
+}
+
+static void test_no_item_is_dealt_after_the_end(void)
+{
+    uint64_t last[THREAD_RANKS_MAX] = {0};
+    thread_ranks_end end =
+        thread_ranks_run(1, THREAD_RANKS_SOUND, take_until_5, last);
+    CHECK(thread_ranks_succeeded(&end, 1) && last[0] == 5);
+    /* Several ranks may take some items before they hear of the end. */
+    end = thread_ranks_run(3, THREAD_RANKS_SOUND, take_until_5, last);
+    CHECK(thread_ranks_succeeded(&end, 3));
+    CHECK(last[0] < 999999 && last[1] < 999999 && last[2] < 999999);
+    /* A process without ranks. */
+    murk_error err = {0};
+    last[0] = 0;
+    CHECK(take_until_5(last, 0, &err) == MURK_OK && last[0] == 5);
+}
+
 int main(void)
 {
     test_sums();
@@ -353,5 +419,7 @@ int main(void)
     test_an_early_return_ends_all();
     test_each_item_is_dealt_once();
     test_shares_cover_all_items_once();
+    test_other_bytes_of_a_rank_are_noticed();
+    test_no_item_is_dealt_after_the_end();
     return check_done();
 }
