@@ -8,7 +8,6 @@ values but `run`). Faults: wrong input, a full disk, killed ranks in each phase,
 started, so all runs are small; `nightly` runs larger ones in more combinations.
 """
 import glob
-import json
 import os
 import shutil
 import signal
@@ -18,6 +17,10 @@ import tempfile
 import time
 
 MURK, MURK_MPI, MPIRUN = sys.argv[1:4]
+sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "same"))
+from repeat_shards import SMALL, scene_in  # noqa: E402
+from run_files import files  # noqa: E402
+
 IS_NIGHTLY = "nightly" in sys.argv[4:]
 SIZE = 10 if IS_NIGHTLY else 1  # factor of the numbers of photons
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -79,27 +82,6 @@ def check(holds, *what):
 
 # ---- the same results ----
 
-def content(path):
-    """The bytes of a file, of JSON without `run`."""
-    with open(path, "rb") as file:
-        data = file.read()
-    if path.endswith(".json"):
-        fields = json.loads(data)
-        fields.pop("run")
-        data = json.dumps(fields).encode()
-    return data
-
-
-def files(folder):
-    """All files below a folder, by their paths in it."""
-    found = {}
-    for at, _, names in os.walk(folder):
-        for name in names:
-            path = os.path.join(at, name)
-            found[os.path.relpath(path, folder)] = content(path)
-    return found
-
-
 def command(ranks, *words):
     return [MPIRUN, "-q", "-n", str(ranks), MURK_MPI, *words]
 
@@ -151,12 +133,20 @@ def results_are_the_same(folder, room, study):
     same(folder, "place greedy", ["place", room, *place("method: greedy")], ONE)
     same(folder, "place spoq", ["place", room, *place("method: spoq, restarts: 3")], ONE)
     same(folder, "place exact", ["place", room, *emit(1500), *place("method: exact"), "--count", "2"], ONE)
+    same(folder, "place at least two", ["place", room, *place("at_least: 2")], ONE)
     same(folder, "place by memory", ["place", room, *place("memory_mb: 0")], ONE)
     for over in ("mean", "worst", "regret"):
         same(folder, f"place over {over}", ["place", room, *emit(3000), *place(f"over: {over}")], ONE)
     same(folder, "place the target", ["place", room, *place("detection: independent"), "--target", "0.5"], ONE)
     same(folder, "place in a flat", ["place", "scenes/paper-room.yaml", "--store", str(1500 * SIZE)], ONE)
-    same(folder, "place repeated", ["place", room, *emit(3000), "--repeat", "2"], ONE)
+    same(folder, "place repeated", ["place", room, *emit(3000), "--repeat", "4"], SOME)
+    # Seed 11 misses the target.
+    seed = ["--target", "0.59", "--seed", "9", "--repeat", "5"]
+    same(folder, "place with a seed that fails", ["place", scene_in(folder, SMALL), *seed], SOME, code=2)
+    parts = [os.path.join(folder, f"part-{k}") for k in (1, 3)]
+    for part in parts:
+        done([MURK, "trace", room, *emit(9500), "--shard", f"{part[-1]}/3", "-q", "-o", part])
+    same(folder, "merge of two parts of three", ["merge", *parts], SOME)
     same(folder, "render by maps", ["render", room, *emit(5000)], SOME, "c.exr")
     same(folder, "render by paths", ["render", room, "--method", "path"], SOME, "c.exr")
     same(folder, "study", ["study", study], ONE, code=1)
@@ -229,6 +219,29 @@ def refused(folder, room):
         ran = run(command(3, *words))
         check(alone.returncode > 0 and ran.returncode == alone.returncode, words, ran.returncode, alone.returncode)
         check(ran.stderr == alone.stderr, words, ran.stderr, alone.stderr)
+
+
+def mixed(folder, room):
+    """Ranks with other options, or with another scene at the same path, are told in one line, and --shard is refused."""
+    others = [MPIRUN, "-q", "-n", "2", MURK_MPI, "trace", room, "--emit", "3000", ":",
+              "-n", "1", MURK_MPI, "trace", room, "--emit", "4000"]
+    ran = run(others)
+    check_ended("other options", room, ran.returncode, ran.stderr)
+    check("rank 2 has another build of murk, or other options, than rank 0" in ran.stderr, ran.stderr)
+    words = [MPIRUN, "-q"]
+    for seed in "3", "4":
+        at = os.path.join(folder, f"scene-{seed}")
+        os.mkdir(at)
+        with open(os.path.join(at, "room.yaml"), "w", encoding="ascii") as file:
+            file.write(ROOM.replace("seed: 3", f"seed: {seed}"))
+        words += ["-n", "1", "--wdir", at, MURK_MPI, "trace", "room.yaml", ":"]
+    ran = run(words[:-1])
+    check_ended("other scenes", "room.yaml", ran.returncode, ran.stderr)
+    check("rank 1 has another scene than rank 0" in ran.stderr, ran.stderr)
+    ran = run(command(3, "trace", room, "--shard", "1/2", "-o", os.path.join(folder, "shard")))
+    check_ended("--shard", room, ran.returncode, ran.stderr, [2])
+    check("--shard: not with several ranks" in ran.stderr, ran.stderr)
+    check(not os.path.exists(os.path.join(folder, "shard")), "a refused part is begun")
 
 
 def full_disk(folder, room):
@@ -349,7 +362,7 @@ def main():
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
         for part in (lambda: results_are_the_same(folder, room, study), lambda: another_seed_differs(folder, room),
-                     lambda: refused(folder, room), lambda: full_disk(folder, room),
+                     lambda: refused(folder, room), lambda: mixed(folder, room), lambda: full_disk(folder, room),
                      lambda: dying_ranks(folder, room), lambda: killed_while_files_are_written(folder, room),
                      lambda: resumed(folder, room)):
             begin = time.time()

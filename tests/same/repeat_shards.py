@@ -13,7 +13,8 @@ import tempfile
 import time
 
 import shards
-from shards import MURK, TOP, check, content, done, murk, refused, same
+from run_files import content
+from shards import MURK, TOP, check, done, murk, refused, same
 
 ROOM = ["scenes/paper-room.yaml", "--emit", "1000", "--count", "2"]
 SMALL = """murk: 1

@@ -3,13 +3,14 @@ an undisturbed run: emit and store, tallies, other numbers of threads. Checkpoin
 files that murk did not write.
 
     resume.py MURK"""
-import json
 import os
 import signal
 import subprocess
 import sys
 import tempfile
 import time
+
+from run_files import differences
 
 MURK = os.path.abspath(sys.argv[1])
 TALLIES = ("tallies=[{name: ball, type: sphere, center_m: [15, 9, 3], radius_m: 1.5},"
@@ -26,23 +27,9 @@ def must(done, code, text):
         sys.exit(f"exit {done.returncode}, must be {code}, and say \"{text}\":\n{done.stderr}")
 
 
-def result(folder):
-    """The files of a folder, without what a JSON file says about the run."""
-    files = {}
-    for name in sorted(os.listdir(folder)):
-        with open(os.path.join(folder, name), "rb") as file:
-            content = file.read()
-        if name.endswith(".json"):
-            content = json.loads(content)
-            del content["run"]
-        files[name] = content
-    return files
-
-
 def compare(folder, whole):
-    found, wanted = result(folder), result(whole)
-    if found != wanted:
-        differ = [name for name in {**found, **wanted} if found.get(name) != wanted.get(name)]
+    differ = differences(folder, whole)
+    if differ:
         sys.exit(f"{folder}: other files than those of an undisturbed run: {differ}")
 
 

@@ -4,12 +4,13 @@ refused in one line, and nothing is written then.
 
     shards.py MURK
 """
-import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+
+from run_files import differences
 
 MURK = sys.argv[1]
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -41,21 +42,9 @@ def done(*words):
     return ran
 
 
-def content(path):
-    """The bytes of a file, of JSON without `run`."""
-    with open(path, "rb") as file:
-        data = file.read()
-    if path.endswith(".json"):
-        fields = json.loads(data)
-        fields.pop("run")
-        data = json.dumps(fields).encode()
-    return data
-
-
 def same(a, b, what):
-    check(sorted(os.listdir(a)) == sorted(os.listdir(b)), f"{what}: {os.listdir(a)} and {os.listdir(b)}")
-    for name in os.listdir(a):
-        check(content(os.path.join(a, name)) == content(os.path.join(b, name)), f"{what}: {name} differs")
+    differ = differences(a, b)
+    check(not differ, f"{what}: these differ: {differ}")
 
 
 def part(folder, k, n, run):

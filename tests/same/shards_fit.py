@@ -7,12 +7,12 @@ own, restarts and proposals. Parts that do not belong together are refused in on
 import json
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 
-MURK = sys.argv[1]
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+import shards
+from shards import TOP, check, done, murk, refused, same
+
 COVERAGE = ["scenes/calibrate-coverage.yaml", "--data", "scenes/calibrate/coverage.csv", "--free", "media.fog.visibility_m",
             "--emit", "500"]
 FOG = ["scenes/calibrate-fog.yaml", "--data", "scenes/calibrate/fog.csv", "--emit", "3000", "--free",
@@ -22,46 +22,9 @@ RUNS = [
     [*COVERAGE, "--set", "placement.detection=independent"],
     [*FOG, "--next", "2", "--starts", "3"],
 ]
-failures = 0
-
-
-def check(holds, text):
-    global failures
-    if not holds:
-        failures += 1
-        print("failed:", text)
-
-
-def murk(*words):
-    return subprocess.run([MURK, *words], cwd=TOP, capture_output=True, text=True)
-
-
-def done(*words):
-    ran = murk(*words)
-    check(ran.returncode == 0, f"{' '.join(words)}: {ran.stderr}")
-    return ran
-
-
 def fields_of(folder):
     with open(os.path.join(folder, "fit.json"), encoding="utf-8") as file:
         return json.load(file)
-
-
-def content(path):
-    """The bytes of a file, of JSON without `run`."""
-    with open(path, "rb") as file:
-        data = file.read()
-    if path.endswith(".json"):
-        fields = json.loads(data)
-        fields.pop("run")
-        data = json.dumps(fields).encode()
-    return data
-
-
-def same(a, b, what):
-    check(sorted(os.listdir(a)) == sorted(os.listdir(b)), f"{what}: {os.listdir(a)} and {os.listdir(b)}")
-    for name in os.listdir(a):
-        check(content(os.path.join(a, name)) == content(os.path.join(b, name)), f"{what}: {name} differs")
 
 
 def part(folder, k, n, run):
@@ -85,17 +48,6 @@ def parts_are_the_run(folder, run, counts):
             check(f"1 of {n} parts are missing (2)" in ran.stderr, f"the missing part is named: {ran.stderr}")
             same(whole, merged, f"{run} of {n} parts without the second")
     return fields_of(whole)
-
-
-def refused(folder, words, *mentions):
-    out = os.path.join(folder, "refused")
-    ran = murk("merge", *words, "-o", out)
-    check(ran.returncode == 2, f"merge {words}: exit {ran.returncode}")
-    lines = [line for line in ran.stderr.splitlines() if "warning" not in line and "note" not in line]
-    check(len(lines) == 1, f"one line: {ran.stderr}")
-    for text in mentions:
-        check(text in ran.stderr, f"{text} in {ran.stderr}")
-    check(not os.path.exists(out), f"merge {words} writes nothing")
 
 
 def replaced(path, old, new):
@@ -164,5 +116,5 @@ with tempfile.TemporaryDirectory() as top:
     os.mkdir(others)
     others_are_refused(others)
     wrong_options(others)
-print("shards of a fit:", f"{failures} failures" if failures else "all as it should be")
-sys.exit(failures > 0)
+print("shards of a fit:", f"{shards.failures} failures" if shards.failures else "all as it should be")
+sys.exit(shards.failures > 0)

@@ -13,7 +13,9 @@ import sys
 import tempfile
 import time
 
-MURK = sys.argv[1]
+import shards
+from shards import MURK, check, same
+
 SCENE = """\
 murk: 1
 domain: {min_m: [0, 0, 0], max_m: [4, 4, 3]}
@@ -45,16 +47,6 @@ plan: plan.csv
 axes: {media.fog.albedo: [0.9, 7, 0.5], sensors.types.0.name: [node, other]}
 outputs: [density, coverage_fixed]
 """
-failures = 0
-
-
-def check(holds, text):
-    global failures
-    if not holds:
-        failures += 1
-        print("failed:", text)
-
-
 def write(path, text):
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
@@ -69,29 +61,6 @@ def murk(*words, want=0):
     ran = subprocess.run([MURK, *words], capture_output=True, text=True)
     check(ran.returncode == want, f"{' '.join(words)}: exit {ran.returncode}, {ran.stderr}")
     return ran
-
-
-def content(path):
-    """The bytes of a file, of JSON without `run`."""
-    with open(path, "rb") as file:
-        data = file.read()
-    if path.endswith(".json"):
-        fields = json.loads(data)
-        fields.pop("run")
-        data = json.dumps(fields).encode()
-    return data
-
-
-def files_of(folder):
-    return {os.path.relpath(os.path.join(at, name), folder): content(os.path.join(at, name))
-            for at, _, names in os.walk(folder) for name in names}
-
-
-def same(a, b, what):
-    a, b = files_of(a), files_of(b)
-    check(sorted(a) == sorted(b), f"{what}: {sorted(set(a) ^ set(b))} in one of them alone")
-    for name in a:
-        check(name not in b or a[name] == b[name], f"{what}: {name} differs")
 
 
 def part(k, n, study, *more, name="part"):
@@ -312,5 +281,5 @@ with tempfile.TemporaryDirectory() as top:
     files_of_others_stay()
     an_interrupt_keeps_rows()
     os.chdir("/")
-print("shards of a study:", f"{failures} failures" if failures else "all as it should be")
-sys.exit(failures > 0)
+print("shards of a study:", f"{shards.failures} failures" if shards.failures else "all as it should be")
+sys.exit(shards.failures > 0)
