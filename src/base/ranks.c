@@ -130,7 +130,7 @@ void murk_gathered_release(murk_gathered *gathered)
 static murk_status find_other(unsigned *other, const void *bytes, size_t size,
                               murk_status status, murk_error *err)
 {
-    murk_gathered all = {NULL};
+    murk_gathered all = {0};
     uint64_t sum[2] = {0};
     *other = murk_ranks_count();
     if (*other == 1) {

@@ -82,7 +82,7 @@ murk_status murk_sweep_ranks_exchange(murk_sweep *sweep, size_t numbers,
 {
     murk_sweep_found *found = &sweep->found;
     const size_t groups = sweep->groups;
-    murk_gathered all = {NULL};
+    murk_gathered all = {0};
     uint64_t *traced = NULL;
     if (murk_ranks_count() == 1) {
         return status;

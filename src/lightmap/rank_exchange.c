@@ -72,7 +72,7 @@ murk_status murk_ranks_exchange_records(murk_record_buffers *buffers,
     }
     char *bytes = NULL;
     size_t size = 0;
-    murk_gathered all = {NULL};
+    murk_gathered all = {0};
     if (!status) {
         status = pack(&bytes, &size, buffers, buffer, n, *flag, err);
     }

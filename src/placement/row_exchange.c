@@ -134,7 +134,7 @@ murk_status murk_row_exchange(murk_row *row, size_t candidates,
             candidates - begin < step ? candidates : begin + step;
         char *bytes = NULL;
         size_t size = 0;
-        murk_gathered all = {NULL};
+        murk_gathered all = {0};
         /* Pack, exchange, and store what is missing. */
         if (!status) {
             status = murk_interrupt_check(err);
