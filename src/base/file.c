@@ -223,7 +223,7 @@ static murk_status open_regular(int *out, struct stat *info, uint64_t max,
                          (double)info->st_size / 1e6, (double)max / 1e6);
     }
     if (whose == INPUT) {
-        murk_inputs_add(info);
+        murk_inputs_add(fd);
     }
     *out = fd;
     return MURK_OK;

@@ -1,20 +1,25 @@
 /* The set of files that a run reads: a hash table with open addressing in
  * memory that processes share.
  *
- * A slot holds a 64-bit hash of device and inode, or 0 if the slot is free. The
- * table belongs to a host (base/host.h). Once a file did not fit, every file
- * counts as an input. Slots are claimed by compare-and-swap and never freed, so
- * no lock is needed, and a process that is killed cannot leave a lock behind.
- * Two files with the same hash would at worst make a run refuse to write one of
- * them: the probability is 2^-64 for a pair. */
+ * A slot holds a 64-bit hash of the device, the inode and the time of creation
+ * of a file, or 0 if the slot is free. Without the time, a new file that got
+ * the inode of a file that was read and then removed would count as an input; a
+ * file system that does not tell the time has that fault. The table belongs to
+ * a host (base/host.h). Once a file did not fit, every file counts as an input.
+ * Slots are claimed by compare-and-swap and never freed, so no lock is needed,
+ * and a process that is killed cannot leave a lock behind. Two files with the
+ * same hash would at worst make a run refuse to write one of them: the
+ * probability is 2^-64 for a pair. */
 #include "base/inputs.h"
 
 #include "base/host.h"
 
+#include <fcntl.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 /* Eight times the number of files that the largest studies name. Pages that are
@@ -41,9 +46,19 @@ void murk_inputs_end(void)
     atomic_store(&host->inputs_are_full, false);
 }
 
-static uint64_t hash_of(const struct stat *file)
+/* The hash of the file `path` in the folder `folder`, or of the open file
+ * `folder` if `path` is empty; 0 if the file cannot be examined. */
+static uint64_t hash_of(int folder, const char *path)
 {
-    const uint64_t name[2] = {(uint64_t)file->st_dev, (uint64_t)file->st_ino};
+    struct statx file = {0};
+    if (statx(folder, path, AT_EMPTY_PATH, STATX_INO | STATX_BTIME, &file)) {
+        return 0;
+    }
+    const bool tells_time = file.stx_mask & STATX_BTIME;
+    const uint64_t name[] = {file.stx_dev_major, file.stx_dev_minor,
+                             file.stx_ino,
+                             tells_time ? (uint64_t)file.stx_btime.tv_sec : 0,
+                             tells_time ? (uint64_t)file.stx_btime.tv_nsec : 0};
     const uint64_t hash = XXH3_64bits(name, sizeof name);
     return hash ? hash : 1;
 }
@@ -65,9 +80,9 @@ static void add(uint64_t hash)
     atomic_store(&host->inputs_are_full, true);
 }
 
-void murk_inputs_add(const struct stat *file)
+void murk_inputs_add(int file)
 {
-    add(hash_of(file));
+    add(hash_of(file, ""));
 }
 
 void murk_inputs_list(uint64_t **hash, size_t *n)
@@ -122,10 +137,9 @@ void murk_inputs_forget(const murk_inputs_before *before)
 
 FILE *murk_inputs_open(const char *path)
 {
-    struct stat known;
     FILE *file = fopen(path, "rb");
-    if (file && fstat(fileno(file), &known) == 0) {
-        murk_inputs_add(&known);
+    if (file) {
+        murk_inputs_add(fileno(file));
     }
     return file;
 }
@@ -133,14 +147,10 @@ FILE *murk_inputs_open(const char *path)
 bool murk_inputs_has(const char *path)
 {
     const murk_host *host = murk_host_now();
-    struct stat known;
-    if (stat(path, &known) != 0) {
-        return false;
+    const uint64_t hash = path[0] ? hash_of(AT_FDCWD, path) : 0;
+    if (!hash || atomic_load(&host->inputs_are_full)) {
+        return hash != 0;
     }
-    if (atomic_load(&host->inputs_are_full)) {
-        return true;
-    }
-    const uint64_t hash = hash_of(&known);
     for (size_t tried = 0; host->inputs && tried < SLOTS; ++tried) {
         const uint64_t found =
             atomic_load(&host->inputs[(hash + tried) % SLOTS]);

@@ -4,7 +4,9 @@
  * The set is in memory that the process shares with the subprocesses that it
  * forks: readers of meshes and grids and the rows of a study run in
  * subprocesses, and the files that they open count, too. A file is identified
- * by device and inode, so that every path and link to the file is recognised.
+ * by device, inode and time of creation, so that every path and link to the
+ * file is recognised, and a later file that gets the inode of a removed one is
+ * not.
  *
  * Each context of the library begins the set of its host, so no call of a
  * context writes over a file that another call of the context has read. The set
@@ -16,7 +18,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <sys/stat.h>
 
 /* murk_inputs_begin() begins the set of the host of the calling thread
  * (base/host.h). Call it once, before any thread or subprocess of the host
@@ -36,8 +37,8 @@ typedef struct murk_inputs_before {
 murk_inputs_before murk_inputs_try(void);
 void murk_inputs_forget(const murk_inputs_before *before);
 
-/* Adds a file that is opened for reading, as fstat() describes it. */
-void murk_inputs_add(const struct stat *file);
+/* Adds a file by its descriptor. */
+void murk_inputs_add(int file);
 
 /* The hashes of the files in the set, and the addition of such hashes to the
  * set of another process: murk-reader and murk-rows share no memory with the

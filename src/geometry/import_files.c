@@ -90,7 +90,7 @@ static FILE *open_regular(const char *path, size_t *size)
     }
     if (stream) {
         *size = (size_t)is.st_size;
-        murk_inputs_add(&is);
+        murk_inputs_add(fd);
     } else if (fd >= 0) {
         close(fd);
     }
