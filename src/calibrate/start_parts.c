@@ -61,7 +61,7 @@ static murk_status name_owner(owner *out, const murk_calibration_desc *desc,
 {
     size_t size = 0;
     bool is_whole = false;
-    *out = (owner){NULL};
+    *out = (owner){0};
     /* The files. */
     FILE *to = open_memstream(&out->files, &size);
     if (to) {
@@ -89,7 +89,7 @@ murk_status murk_start_part_write(const murk_calibration *found,
     const size_t n = found->n;
     record *records = calloc(found->starts + 1, sizeof *records);
     double *points = calloc(found->starts * 2 * n + 1, sizeof *points);
-    owner names = {NULL};
+    owner names = {0};
     murk_status status = records && points
                              ? name_owner(&names, desc, err)
                              : murk_no_memory(err, path, "to write it");

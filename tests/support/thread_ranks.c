@@ -165,7 +165,7 @@ thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
                                   thread_ranks_work work, void *context)
 {
     thread_ranks_end end = {{MURK_OK}, {{0}}};
-    member ranks[THREAD_RANKS_MAX] = {{NULL}};
+    member ranks[THREAD_RANKS_MAX] = {{.team = NULL}};
     pthread_t thread[THREAD_RANKS_MAX];
     team t = {
         .count = count, .defect = defect, .work = work, .context = context};
