@@ -82,14 +82,21 @@ def on_terminal(words, columns, terminal="xterm", **environment):
 
 
 def photons_for(seconds, scene):
-    """So many that tracing takes a processor here about that long, and the clock
-    no less, whatever runs beside it."""
-    fastest_s = 1e9  # beside other work a processor's second is worth less
-    for _ in range(3):
-        before = os.times().children_user
-        run("trace", scene, "-j1", "--emit", "20000")
-        fastest_s = min(fastest_s, max(os.times().children_user - before, 1e-2))
-    return str(int(20000 * seconds / fastest_s))
+    """So many that tracing takes a processor here about that long, without the
+    start of the program, and the clock no less, whatever runs beside it."""
+    def user_s(photons):
+        times_s = [] # beside other work a processor's second is worth less
+        for _ in range(3):
+            before = os.times().children_user
+            run("trace", scene, "-j1", "--emit", str(photons))
+            times_s.append(os.times().children_user - before)
+        return min(times_s)
+
+    start_s = user_s(1000)
+    photons = 20000
+    while (traced_s := user_s(photons) - start_s) < 0.2:
+        photons *= 2
+    return str(int(photons * seconds / traced_s))
 
 
 def check_progress(scene):
