@@ -2,9 +2,9 @@
  * thread. */
 #include "base/ranks.h"
 
-#include "base/host.h"
-
 #include "base/file.h"
+#include "base/host.h"
+#include "base/interrupt.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +46,14 @@ void murk_ranks_return(const murk_ranks *ranks)
 murk_status murk_ranks_agree(murk_status status, murk_error *err)
 {
     const murk_ranks *ranks = murk_host_now()->ranks;
-    return ranks ? ranks->agree(ranks->context, status, err) : status;
+    if (!ranks) {
+        return status;
+    }
+    status = ranks->agree(ranks->context, status, err);
+    if (status) {
+        murk_interrupt_request();
+    }
+    return status;
 }
 
 murk_status murk_ranks_sum(uint64_t *word, size_t n, bool is_128,

@@ -13,8 +13,9 @@
  * that works for the host. Each of them takes the status of the caller so far.
  * If a rank has failed, the call fails in all ranks, with the failure of the
  * first rank that has, and so does every later call: a failure that passed
- * through one of these functions is final. Work whose failure the caller
- * tolerates is done after murk_ranks_leave(). */
+ * through one of these functions is final, and sets the flag of requests to
+ * stop (base/interrupt.h), so that a search whose steps return no status ends.
+ * Work whose failure the caller tolerates is done after murk_ranks_leave(). */
 #ifndef MURK_BASE_RANKS_H
 #define MURK_BASE_RANKS_H
 

@@ -366,9 +366,9 @@ static murk_status begin(strict_run *r, murk_error *err)
         return status;
     }
     /* the ceiling: all candidates chosen */
-    for (uint32_t j = 0; j < o->candidates; ++j) {
-        const murk_row row = murk_evaluator_row(o, 0, j);
-        murk_cover_add(&r->scan.cover, o->layout, &row);
+    status = murk_evaluator_cover_all(o, &r->scan.cover, err);
+    if (status) {
+        return status;
     }
     r->rows = o->candidates;
     result->ceiling = strict_of(&r->scan.cover, o->layout);

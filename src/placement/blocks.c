@@ -30,11 +30,12 @@ static void gain_of_one(void *context, unsigned worker, uint64_t k)
 {
     const gain_task *g = context;
     const size_t n = g->layouts->blocks->n;
-    const murk_row row =
-        murk_evaluator_row(g->layouts->evaluator, worker, g->candidate[k]);
+    murk_row row;
+    const bool has_row = murk_evaluator_own_row(&row, g->layouts->evaluator,
+                                                worker, g->candidate[k]);
     for (size_t c = 0; c < n; ++c) {
         g->gain[k * n + c] =
-            murk_row_gain(&g->layouts->layout[c], &row, g->cover);
+            has_row ? murk_row_gain(&g->layouts->layout[c], &row, g->cover) : 0;
     }
 }
 
@@ -44,6 +45,8 @@ void murk_block_gains(const murk_block_layouts *layouts,
 {
     gain_task g = {layouts, cover, candidate, gain};
     murk_evaluator_run(layouts->evaluator, count, gain_of_one, &g);
+    murk_evaluator_complete(layouts->evaluator, gain,
+                            count * layouts->blocks->n);
 }
 
 /* Makes the layout of one block, and the unit and offset of the block's worth.
@@ -91,18 +94,17 @@ static murk_status find_gain_bounds(murk_block_layouts *v, murk_error *err)
      * ceiling. */
     murk_block_gains(v, &cover, all, o->candidates, v->max);
     for (uint32_t j = 0; j < o->candidates; ++j) {
-        const murk_row row = murk_evaluator_row(o, 0, j);
-        murk_cover_add(&cover, o->layout, &row);
         for (size_t c = 0; o->slack && c < v->blocks->n; ++c) {
             v->max[j * v->blocks->n + c] += o->slack[j];
         }
     }
+    const murk_status status = murk_evaluator_cover_all(o, &cover, err);
     for (size_t c = 0; c < v->blocks->n; ++c) {
         v->ceiling[c] = murk_cover_value(&cover, &v->layout[c]);
     }
     murk_cover_release(&cover);
     free(all);
-    return MURK_OK;
+    return status;
 }
 
 murk_status murk_block_layouts_init(murk_block_layouts *out,

@@ -183,6 +183,63 @@ void murk_cover_join(murk_cover *cover, const murk_layout *layout,
     }
 }
 
+typedef struct cover_arrays {
+    size_t full, best, dose; /* bytes; full and best are multiples of 8 */
+} cover_arrays;
+
+static size_t in_words(size_t bytes)
+{
+    return (bytes + 7) / 8 * 8;
+}
+
+static cover_arrays arrays_of(const murk_cover *cover,
+                              const murk_layout *layout)
+{
+    const size_t layers = cover->layers;
+    return (cover_arrays){
+        cover->full ? layers * layout->words * sizeof *cover->full : 0,
+        cover->best ? in_words(layers * layout->slots * sizeof *cover->best)
+                    : 0,
+        cover->dose ? in_words(layout->slots * sizeof *cover->dose) : 0};
+}
+
+size_t murk_cover_bytes(const murk_cover *cover, const murk_layout *layout)
+{
+    const cover_arrays size = arrays_of(cover, layout);
+    return size.full + size.best + size.dose;
+}
+
+void murk_cover_pack(const murk_cover *cover, const murk_layout *layout,
+                     char *block)
+{
+    const cover_arrays size = arrays_of(cover, layout);
+    const size_t layers = cover->layers;
+    memset(block, 0, size.full + size.best + size.dose);
+    if (cover->full) {
+        memcpy(block, cover->full, size.full);
+    }
+    if (cover->best) {
+        memcpy(block + size.full, cover->best,
+               layers * layout->slots * sizeof *cover->best);
+    }
+    if (cover->dose) {
+        memcpy(block + size.full + size.best, cover->dose,
+               layout->slots * sizeof *cover->dose);
+    }
+}
+
+murk_cover murk_cover_unpack(const murk_cover *like, const murk_layout *layout,
+                             char *block)
+{
+    const cover_arrays size = arrays_of(like, layout);
+    void *full = block, *best = block + size.full,
+         *dose = block + size.full + size.best;
+    return (murk_cover){.layers = like->layers,
+                        .full = like->full ? full : NULL,
+                        .best = like->best ? best : NULL,
+                        .dose = like->dose ? dose : NULL};
+}
+
 static uint64_t weigh_bits(uint64_t bits, const uint32_t *weight)
 {
     uint64_t sum = 0;

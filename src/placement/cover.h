@@ -41,6 +41,15 @@ void murk_cover_add(murk_cover *cover, const murk_layout *layout,
 void murk_cover_join(murk_cover *cover, const murk_layout *layout,
                      const murk_cover *other);
 
+/* The arrays of a cover in one block of murk_cover_bytes(), a multiple of 8. A
+ * cover of the form of `like` borrows the arrays of such a block, which must be
+ * aligned to 8 bytes. */
+size_t murk_cover_bytes(const murk_cover *cover, const murk_layout *layout);
+void murk_cover_pack(const murk_cover *cover, const murk_layout *layout,
+                     char *block);
+murk_cover murk_cover_unpack(const murk_cover *like, const murk_layout *layout,
+                             char *block);
+
 /* The value of the cover: the sum over the slots of weight times the sum of the
  * layers. */
 uint64_t murk_cover_value(const murk_cover *cover, const murk_layout *layout);

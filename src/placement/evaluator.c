@@ -8,6 +8,7 @@
 
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/ranks.h"
 #include "base/sort.h"
 #include "placement/presolve.h"
 
@@ -55,29 +56,53 @@ static const murk_row *stored_row(const murk_evaluator *evaluator,
                : NULL;
 }
 
+bool murk_evaluator_own_row(murk_row *out, const murk_evaluator *evaluator,
+                            unsigned worker, uint32_t candidate)
+{
+    if (evaluator->matrix && !murk_matrix_has(evaluator->matrix, candidate)) {
+        return false;
+    }
+    const murk_row *row = stored_row(evaluator, candidate);
+    murk_sparse_row entries;
+    if (!row) {
+        evaluator->problem->get_row(evaluator->problem->context, worker,
+                                    candidate, &entries);
+    }
+    *out = row ? *row : murk_row_borrow(&entries);
+    return true;
+}
+
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate)
 {
-    const murk_row *row = stored_row(evaluator, candidate);
-    if (row) {
-        return *row;
+    murk_row row;
+    if (murk_evaluator_is_distributed(evaluator)) {
+        return murk_fetched_rows_get(evaluator->matrix->fetched, evaluator->row,
+                                     candidate);
     }
-    murk_sparse_row entries;
-    evaluator->problem->get_row(evaluator->problem->context, worker, candidate,
-                                &entries);
-    return murk_row_borrow(&entries);
+    (void)murk_evaluator_own_row(&row, evaluator, worker, candidate);
+    return row;
 }
 
-/* The row of a candidate as far as it is needed; false if the row was given up.
- */
+void murk_evaluator_complete(const murk_evaluator *evaluator, uint64_t *word,
+                             size_t n)
+{
+    murk_error err;
+    if (murk_evaluator_is_distributed(evaluator)) {
+        (void)murk_ranks_complete(word, n * sizeof *word,
+                                  murk_interrupt_check(&err), &err);
+    }
+}
+
+/* The row of a candidate as far as it is needed; false if the row was given up,
+ * or if another rank has it. */
 static bool get_part(murk_row *out, const murk_evaluator *evaluator,
                      unsigned worker, uint32_t candidate,
                      const murk_row_need *need)
 {
     const murk_problem *problem = evaluator->problem;
     if (!need || !problem->get_part || stored_row(evaluator, candidate)) {
-        *out = murk_evaluator_row(evaluator, worker, candidate);
-        return true;
+        return murk_evaluator_own_row(out, evaluator, worker, candidate);
     }
     murk_sparse_row entries;
     if (!problem->get_part(problem->context, worker, candidate, need,
@@ -92,6 +117,9 @@ murk_row murk_evaluator_part(const murk_evaluator *evaluator, unsigned worker,
                              uint32_t candidate, const murk_row_need *need)
 {
     murk_row row = {0};
+    if (murk_evaluator_is_distributed(evaluator)) {
+        return murk_evaluator_row(evaluator, worker, candidate);
+    }
     (void)get_part(&row, evaluator, worker, candidate, need);
     return row;
 }
@@ -123,6 +151,10 @@ static void evaluate_first(const evaluation *w, unsigned worker, size_t batch)
     const uint32_t candidate = candidate_of(w, batch);
     murk_sparse_row entries;
     murk_row row;
+    murk_progress_add(1);
+    if (o->matrix && !murk_matrix_has(o->matrix, candidate)) {
+        return;
+    }
     /* Evaluate the row. */
     if (o->matrix) {
         row = *murk_matrix_row(o->matrix, candidate);
@@ -145,7 +177,6 @@ static void evaluate_first(const evaluation *w, unsigned worker, size_t batch)
             w->offered[batch] = (murk_row){0};
         }
     }
-    murk_progress_add(1);
 }
 
 static void evaluate(const evaluation *w, unsigned worker, size_t batch)
@@ -158,10 +189,11 @@ static void evaluate(const evaluation *w, unsigned worker, size_t batch)
         return;
     }
     if (w->is_max) {
-        row = murk_evaluator_row(o, worker, candidate);
-        w->gain[batch] =
-            murk_row_gain_bound(o->layout, &row, w->cover) +
-            MURK_GAIN_BOUND_SLACK / MURK_WORTH_SLACK * o->slack[candidate];
+        w->gain[batch] = !murk_evaluator_own_row(&row, o, worker, candidate)
+                             ? 0
+                             : murk_row_gain_bound(o->layout, &row, w->cover) +
+                                   MURK_GAIN_BOUND_SLACK / MURK_WORTH_SLACK *
+                                       o->slack[candidate];
         return;
     }
     /* No row is needed if the upper bound on the gain is too small. */
@@ -205,7 +237,8 @@ static void evaluate_batch(void *context, unsigned worker, uint64_t batch)
 
 static void evaluate_in_batches(evaluation *w, unsigned threads)
 {
-    w->at_once = w->evaluator->has_all_rows ? ROWS_AT_ONCE : 1;
+    w->at_once =
+        w->evaluator->matrix || w->evaluator->has_all_rows ? ROWS_AT_ONCE : 1;
     murk_pool_run_workers(threads, (w->n + w->at_once - 1) / w->at_once,
                           evaluate_batch, w);
 }
@@ -252,6 +285,7 @@ static void evaluate_candidates(evaluation w, unsigned threads, unsigned worker)
     } else {
         evaluate_range(&w, worker, 0, w.n);
     }
+    murk_evaluator_complete(w.evaluator, w.gain, w.n);
 }
 
 void murk_evaluator_gains(const murk_evaluator *evaluator,
@@ -345,6 +379,47 @@ static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
     return MURK_OK;
 }
 
+/* Adds the covers of the other ranks to that of this one. */
+static murk_status join_ranks(murk_cover *cover, const murk_layout *layout,
+                              murk_status status, murk_error *err)
+{
+    murk_gathered all = {0};
+    const size_t size = murk_cover_bytes(cover, layout);
+    char *bytes = malloc(size);
+    if (!status && !bytes) {
+        status = murk_no_memory(err, "", "for the coverage of %zu photons",
+                                layout->photons);
+    }
+    if (!status) {
+        murk_cover_pack(cover, layout, bytes);
+    }
+    status = murk_ranks_gather(&all, bytes, size, status, err);
+    for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
+        if (r != murk_ranks_number()) {
+            const murk_cover other =
+                murk_cover_unpack(cover, layout, all.bytes + r * size);
+            murk_cover_join(cover, layout, &other);
+        }
+    }
+    murk_gathered_release(&all);
+    free(bytes);
+    return status;
+}
+
+murk_status murk_evaluator_cover_all(const murk_evaluator *evaluator,
+                                     murk_cover *cover, murk_error *err)
+{
+    murk_row row;
+    for (uint32_t j = 0; j < evaluator->candidates; ++j) {
+        if (murk_evaluator_own_row(&row, evaluator, 0, j)) {
+            murk_cover_add(cover, evaluator->layout, &row);
+        }
+    }
+    return murk_evaluator_is_distributed(evaluator)
+               ? join_ranks(cover, evaluator->layout, MURK_OK, err)
+               : MURK_OK;
+}
+
 /* Computes the value of each candidate alone, and the ceiling. */
 static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
 {
@@ -378,6 +453,11 @@ static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
     /* The value of all rows together is the ceiling. */
     for (unsigned k = 1; k < threads; ++k) {
         murk_cover_join(&seen[0], o->layout, &seen[k]);
+    }
+    if (murk_evaluator_is_distributed(o)) {
+        status = join_ranks(&seen[0], o->layout, status, err);
+        murk_evaluator_complete(o, o->single_value, o->candidates);
+        murk_evaluator_complete(o, o->slack, o->slack ? o->candidates : 0);
     }
     o->ceiling = murk_cover_value(&seen[0], o->layout);
 done:
@@ -521,7 +601,7 @@ murk_status murk_evaluator_init(murk_evaluator *out,
     if (matrix) {
         out->layout = &matrix->layout;
         out->row = matrix->row;
-        out->has_all_rows = true;
+        out->has_all_rows = !matrix->is_distributed;
         out->row_bytes = n ? murk_matrix_bytes(matrix) / n : 0;
     } else {
         status = murk_layout_init(&out->own_layout, problem, false, err);

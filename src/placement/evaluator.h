@@ -22,7 +22,7 @@ typedef struct murk_evaluator {
     const murk_row *row;     /* [candidates] stored rows, those of the matrix or
                                 the cached ones; else row[j].memory NULL: the
                                 problem is asked */
-    bool has_all_rows;       /* all rows are stored */
+    bool has_all_rows;       /* all rows are stored here */
     bool is_binary; /* the entries of all rows are MURK_CLEAR, so covers may be
                        bits */
     size_t row_bytes;       /* mean size of a stored row */
@@ -72,15 +72,43 @@ murk_evaluator_gain_bound(const murk_evaluator *evaluator, uint32_t candidate)
            (evaluator->slack ? evaluator->slack[candidate] : 0);
 }
 
-/* The row of a candidate, valid until the worker's next call. */
+/* True if ranks have the rows of their own candidates alone. The functions of
+ * this header that say so are then collective: all ranks call them with the
+ * same arguments in the same order, from the thread that works for the host. A
+ * failure of a rank shows in murk_interrupted(), and results are arbitrary
+ * then. */
+static inline bool
+murk_evaluator_is_distributed(const murk_evaluator *evaluator)
+{
+    return evaluator->matrix && evaluator->matrix->is_distributed;
+}
+
+/* The row of a candidate, valid until the worker's next call. Collective with a
+ * distributed matrix. */
 murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
                             uint32_t candidate);
+
+/* The row of a candidate if this rank has it, for loops that divide candidates
+ * among threads and ranks; false otherwise. Not collective. */
+bool murk_evaluator_own_row(murk_row *out, const murk_evaluator *evaluator,
+                            unsigned worker, uint32_t candidate);
+
+/* With a distributed matrix: completes word[n], of which each rank has filled
+ * the words of its own candidates and left the others 0. Collective. */
+void murk_evaluator_complete(const murk_evaluator *evaluator, uint64_t *word,
+                             size_t n);
+
+/* Adds the rows of all candidates to a cover. Collective with a distributed
+ * matrix. Fails with MURK_NO_MEMORY or the failure of another rank. */
+murk_status murk_evaluator_cover_all(const murk_evaluator *evaluator,
+                                     murk_cover *cover, murk_error *err);
 
 /* True if rows are asked of the problem in parts, so that searches should name
  * their needs (murk_row_need). */
 static inline bool murk_evaluator_asks_parts(const murk_evaluator *evaluator)
 {
-    return !evaluator->has_all_rows && evaluator->problem->get_part;
+    return !evaluator->has_all_rows && !evaluator->matrix &&
+           evaluator->problem->get_part;
 }
 
 /* Fills entry_max[slots] with upper bounds on the amounts by which an entry of
@@ -88,7 +116,8 @@ static inline bool murk_evaluator_asks_parts(const murk_evaluator *evaluator)
 void murk_evaluator_bound_entries(const murk_evaluator *evaluator,
                                   const murk_cover *cover, uint64_t *entry_max);
 
-/* The row of a candidate as far as it is needed; with need->gain_min 0. */
+/* The row of a candidate as far as it is needed; with need->gain_min 0.
+ * Collective with a distributed matrix. */
 murk_row murk_evaluator_part(const murk_evaluator *evaluator, unsigned worker,
                              uint32_t candidate, const murk_row_need *need);
 
@@ -110,7 +139,8 @@ void murk_evaluator_run(const murk_evaluator *evaluator, size_t n,
 
 /* gain[k] = the gain of candidate[k] over the cover, k < n. Uses at most
  * `threads` threads. If the calling thread works alone, it asks for rows as
- * worker number `worker`. */
+ * worker number `worker`. This and the next two functions are collective with a
+ * distributed matrix. */
 void murk_evaluator_gains(const murk_evaluator *evaluator,
                           const murk_cover *cover, const uint32_t *candidate,
                           size_t n, unsigned threads, unsigned worker,

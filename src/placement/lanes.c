@@ -7,8 +7,10 @@
 #include "placement/lanes.h"
 
 #include "base/pool.h"
+#include "base/ranks.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Words of a block: 4096 photons, whose clarities in all lanes take 128 kB. */
 #define BLOCK_WORDS 64
@@ -29,7 +31,7 @@ bool murk_lanes_pay(const murk_evaluator *evaluator)
     const size_t layers = evaluator->layout->layers + 1;
     return evaluator->layout->slots * sizeof(uint16_t) * MURK_COVER_LANES *
                layers <=
-           murk_matrix_bytes(evaluator->matrix) / SHARE_OF_ROWS;
+           evaluator->matrix->bytes / SHARE_OF_ROWS;
 }
 
 murk_status murk_lanes_init(murk_lanes *out, const murk_evaluator *evaluator,
@@ -126,6 +128,19 @@ static void add_block(const murk_lanes *l, const murk_weight_run *segment,
     rest->clarity = rest->clarity ? rest->clarity + used : NULL;
 }
 
+/* The rows that this rank stores: how many, and the candidate of row k. */
+static size_t own_rows(const murk_lanes *l)
+{
+    const size_t n = l->evaluator->candidates;
+    return murk_evaluator_is_distributed(l->evaluator) ? murk_ranks_share(n)
+                                                       : n;
+}
+
+static size_t own_candidate(const murk_lanes *l, size_t k)
+{
+    return murk_evaluator_is_distributed(l->evaluator) ? murk_ranks_item(k) : k;
+}
+
 /* Evaluates ROWS_AT_ONCE candidates: rows of bits block by block, other rows
  * over each cover alone. */
 static void evaluate_rows(void *context, unsigned worker, uint64_t batch)
@@ -134,20 +149,21 @@ static void evaluate_rows(void *context, unsigned worker, uint64_t batch)
     (void)worker;
     const murk_layout *layout = l->evaluator->layout;
     const size_t first_row = batch * ROWS_AT_ONCE;
-    const murk_row *row = &l->evaluator->matrix->row[first_row];
-    uint64_t *gain = l->gain + first_row * MURK_COVER_LANES;
-    const size_t left = l->evaluator->candidates - first_row;
+    const size_t left = own_rows(l) - first_row;
     const size_t n = left < ROWS_AT_ONCE ? left : ROWS_AT_ONCE;
+    const murk_row *row[ROWS_AT_ONCE];
+    uint64_t *gain[ROWS_AT_ONCE]; /* [n][MURK_COVER_LANES] */
     row_rest rest[ROWS_AT_ONCE];
     /* Begin each row; rows that have no bits are evaluated at once. */
     for (size_t k = 0; k < n; ++k) {
-        (void)murk_matrix_row(l->evaluator->matrix, first_row + k);
-        rest[k] = (row_rest){0, row[k].clarity};
+        const size_t candidate = own_candidate(l, first_row + k);
+        row[k] = murk_matrix_row(l->evaluator->matrix, candidate);
+        gain[k] = l->gain + candidate * MURK_COVER_LANES;
+        rest[k] = (row_rest){0, row[k]->clarity};
         for (size_t lane = 0; lane < MURK_COVER_LANES; ++lane) {
-            gain[k * MURK_COVER_LANES + lane] =
-                has_lanes(&row[k]) || lane >= l->covers
-                    ? 0
-                    : murk_row_gain(layout, &row[k], l->cover[lane]);
+            gain[k][lane] = has_lanes(row[k]) || lane >= l->covers
+                                ? 0
+                                : murk_row_gain(layout, row[k], l->cover[lane]);
         }
     }
     /* Each segment has blocks of its own. */
@@ -160,9 +176,9 @@ static void evaluate_rows(void *context, unsigned worker, uint64_t batch)
                                     ? first + BLOCK_WORDS
                                     : segment_end;
             for (size_t k = 0; k < n; ++k) {
-                if (has_lanes(&row[k])) {
-                    add_block(l, segment, &row[k], &rest[k], first, past,
-                              gain + k * MURK_COVER_LANES);
+                if (has_lanes(row[k])) {
+                    add_block(l, segment, row[k], &rest[k], first, past,
+                              gain[k]);
                 }
             }
         }
@@ -178,7 +194,12 @@ void murk_lanes_gains(murk_lanes *l, const murk_cover *const *cover, size_t n)
     l->covers = n;
     murk_pool_run_workers(threads, (words + BLOCK_WORDS - 1) / BLOCK_WORDS,
                           interleave, l);
-    murk_pool_run_workers(
-        threads, (l->evaluator->candidates + ROWS_AT_ONCE - 1) / ROWS_AT_ONCE,
-        evaluate_rows, l);
+    const size_t gains = l->evaluator->candidates * MURK_COVER_LANES;
+    if (murk_evaluator_is_distributed(l->evaluator)) {
+        memset(l->gain, 0, gains * sizeof *l->gain);
+    }
+    murk_pool_run_workers(threads,
+                          (own_rows(l) + ROWS_AT_ONCE - 1) / ROWS_AT_ONCE,
+                          evaluate_rows, l);
+    murk_evaluator_complete(l->evaluator, l->gain, gains);
 }

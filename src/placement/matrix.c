@@ -91,6 +91,17 @@ static void fill_sample(void *context, unsigned worker, uint64_t k)
     fill_row(f, worker, (uint64_t)(share * (double)f->matrix->candidates));
 }
 
+/* A distributed matrix has no sampled rows but those of its own candidates. */
+static void drop_others(fill_task *f)
+{
+    murk_matrix *matrix = f->matrix;
+    for (size_t j = 0; j < matrix->candidates; ++j) {
+        if (!murk_matrix_has(matrix, j)) {
+            murk_row_space_drop(matrix->space, &matrix->row[j]);
+        }
+    }
+}
+
 /* Refuses a matrix, of estimated size, that memory and scratch file do not
  * hold. */
 static murk_status check_size(const fill_task *f, double bytes, murk_error *err)
@@ -131,9 +142,13 @@ static murk_status forecast(fill_task *f, murk_error *err)
     }
     /* Scale the sample to all candidates. */
     const double rows = fmax((double)murk_tally_read(&f->rows), 1);
-    const double of_all = (double)problem->candidates / rows;
+    const double here = f->matrix->is_distributed
+                            ? (double)murk_ranks_share(problem->candidates)
+                            : (double)problem->candidates;
+    const double of_all = here / rows;
     const double elapsed_s = (murk_clock_s() - begun_s) / problem->threads;
     const double bytes = of_all * (double)murk_row_space_bytes(space);
+    drop_others(f);
     if (bytes <= (double)space->memory_max) {
         return MURK_OK;
     }
@@ -200,16 +215,18 @@ static murk_status add_work(const work_count *w, murk_status status,
     return status;
 }
 
-/* Gives all ranks the rows and the hashes of the columns that the others have
- * computed. */
+/* Gives all ranks the rows, unless the matrix is distributed, and the hashes of
+ * the columns that the others have computed. */
 static murk_status exchange(fill_task *f, murk_status status, murk_error *err)
 {
     murk_matrix *matrix = f->matrix;
     uint64_t *sum = NULL;
     const size_t photons = f->hash ? f->problem->photons : 0;
-    status = murk_row_exchange(matrix->row, matrix->candidates, matrix->space,
-                               (size_t)max_possible(&matrix->layout, 1), status,
-                               err);
+    if (!matrix->is_distributed) {
+        status = murk_row_exchange(
+            matrix->row, matrix->candidates, matrix->space,
+            (size_t)max_possible(&matrix->layout, 1), status, err);
+    }
     if (photons > 0 && !status) {
         sum = malloc(photons * sizeof *sum);
         status = sum ? MURK_OK : murk_no_memory(err, "", "to merge photons");
@@ -256,19 +273,34 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
         return status;
     }
     /* Sum up the rows. */
-    matrix->is_binary = true;
+    uint64_t pairs_and_attenuated[2] = {0};
     for (size_t j = 0; j < matrix->candidates; ++j) {
         const murk_row *row = &matrix->row[j];
-        matrix->pairs += row->seen;
-        matrix->is_binary =
-            matrix->is_binary &&
-            (row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_CLEAR_LIST);
+        if (murk_matrix_has(matrix, j)) {
+            pairs_and_attenuated[0] += row->seen;
+            pairs_and_attenuated[1] +=
+                row->kind != MURK_ROW_BITS && row->kind != MURK_ROW_CLEAR_LIST;
+        }
     }
+    if (matrix->is_distributed) {
+        status = murk_ranks_sum(pairs_and_attenuated, 2, false, status, err);
+    }
+    matrix->pairs = pairs_and_attenuated[0];
+    matrix->is_binary = pairs_and_attenuated[1] == 0;
     if (matrix->is_binary) { /* detection with probability 1 needs no doses */
         free(matrix->layout.doses);
         matrix->layout.doses = NULL;
     }
-    return MURK_OK;
+    return status;
+}
+
+/* bytes: of all rows, at most. */
+static bool is_distributed(const murk_problem *problem, uint64_t bytes,
+                           uint64_t memory_bytes)
+{
+    const bool is_large = problem->candidates > MURK_PAIRED_CANDIDATES_MAX &&
+                          bytes > memory_bytes;
+    return murk_ranks_count() > 1 && (is_large || problem->is_distributed);
 }
 
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
@@ -308,22 +340,39 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     /* Fill, and merge. */
     status = murk_layout_init(&matrix->layout, problem, true, err);
     if (!status) {
-        const uint64_t bytes_max =
-            max_possible(&matrix->layout, problem->candidates);
+        uint64_t bytes_max = max_possible(&matrix->layout, problem->candidates);
+        if (is_distributed(problem, bytes_max, memory_bytes)) {
+            matrix->is_distributed = true;
+            bytes_max = max_possible(&matrix->layout,
+                                     murk_ranks_share(problem->candidates));
+        }
         murk_row_space_init(matrix->space, bytes_max, memory_bytes);
         status = fill(matrix, problem, bytes_max > memory_bytes, hash, err);
     }
     if (!status && hash) {
         status = murk_merge(&matrix->layout, matrix->row, matrix->space,
-                            problem, hash, merging == MURK_MERGE_ALWAYS, err);
+                            matrix->is_distributed, problem, hash,
+                            merging == MURK_MERGE_ALWAYS, err);
         hash = NULL; /* murk_merge() has freed it */
         murk_machine_trim();
     }
-    if (status) {
-        goto done;
+    if (!status) {
+        matrix->bytes = murk_row_space_bytes(matrix->space);
     }
-    *out = matrix;
-    matrix = NULL;
+    if (matrix->is_distributed) {
+        status = murk_ranks_sum(&matrix->bytes, 1, false, status, err);
+    }
+    if (!status && matrix->is_distributed) {
+        matrix->fetched =
+            murk_fetched_rows_create((size_t)max_possible(&matrix->layout, 1));
+        if (!matrix->fetched) {
+            status = murk_no_memory(err, "", "for the coverage matrix");
+        }
+    }
+    if (!status) {
+        *out = matrix;
+        matrix = NULL;
+    }
 done:
     free(hash);
     murk_matrix_destroy(matrix);
@@ -367,6 +416,7 @@ void murk_matrix_destroy(murk_matrix *matrix)
         }
         free(matrix->space);
         free(matrix->row);
+        murk_fetched_rows_destroy(matrix->fetched);
     }
     murk_layout_release(&matrix->layout);
     free(matrix);

@@ -1,7 +1,17 @@
-/* The members of the coverage matrix. For use inside src/placement only. */
+/* The members of the coverage matrix. For use inside src/placement only.
+ *
+ * With ranks (base/ranks.h) a large matrix is distributed: a rank stores the
+ * rows of its own candidates (murk_row_is_own()) alone, so memory and the
+ * evaluation of gains are divided. Everything else, counts and sums of the
+ * whole matrix included, is the same in all ranks. A matrix is large if its
+ * rows may exceed the memory that they are given, and there are more than
+ * MURK_PAIRED_CANDIDATES_MAX candidates, as fewer ones are compared in pairs.
+ * Each evaluation of gains is an exchange then, so all ranks have the rows of
+ * smaller matrices, and search alone. */
 #ifndef MURK_PLACEMENT_MATRIX_H
 #define MURK_PLACEMENT_MATRIX_H
 
+#include "placement/row_exchange.h"
 #include "placement/row_space.h"
 
 struct murk_matrix {
@@ -11,8 +21,17 @@ struct murk_matrix {
     murk_row_space *space;
     bool borrows_rows; /* row and space belong to another matrix */
     bool is_binary;    /* each row is BITS or CLEAR_LIST */
-    uint64_t pairs;
+    bool is_distributed;
+    murk_fetched_rows *fetched; /* of a distributed matrix; of another matrix if
+                                   borrows_rows */
+    uint64_t pairs;             /* entries of all rows that are not 0 */
+    uint64_t bytes;             /* of all rows */
 };
+
+/* With more candidates rows are not compared in pairs (placement/presolve.h).
+ * The number of pairs grows with the square: beyond so many candidates the
+ * comparisons take longer than the evaluations that they save. */
+#define MURK_PAIRED_CANDIDATES_MAX 10000
 
 /* The choice whether photons with equal columns are merged (placement/merge.h).
  */
@@ -22,8 +41,15 @@ typedef enum murk_merging {
     MURK_MERGE_ALWAYS
 } murk_merging;
 
-/* The row of a candidate, to be called before each reading, which brings pages
- * of a scratch file into memory. May be called from any thread. */
+/* True if this rank stores the row. */
+static inline bool murk_matrix_has(const murk_matrix *matrix, size_t candidate)
+{
+    return !matrix->is_distributed || murk_row_is_own(candidate);
+}
+
+/* The row of a candidate that this rank stores, to be called before each
+ * reading, which brings pages of a scratch file into memory. May be called from
+ * any thread. */
 static inline const murk_row *murk_matrix_row(const murk_matrix *matrix,
                                               size_t candidate)
 {

@@ -9,7 +9,9 @@
 #include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/pool.h"
+#include "base/ranks.h"
 #include "base/tally.h"
+#include "placement/row_exchange.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -69,6 +71,7 @@ typedef struct merging {
     murk_layout layout;
     merge_scratch *scratch; /* [threads] */
     unsigned threads;
+    bool is_distributed;
     murk_tally mismatches, out_of_memory;
     murk_arena arena;
 } merging;
@@ -198,6 +201,11 @@ static double scan_cost(const murk_layout *layout)
     return cost;
 }
 
+static bool has_row(const merging *m, uint64_t candidate)
+{
+    return !m->is_distributed || murk_row_is_own((size_t)candidate);
+}
+
 /* Checks one row: it contains all photons of a group with one clarity, or none
  * of them. The first pass counts the photons of each group and compares
  * clarities, the second one compares the counts and resets them. */
@@ -210,6 +218,9 @@ static void check_row(void *context, unsigned worker, uint64_t batch)
     const murk_row *row = &m->row[batch];
     size_t slot;
     uint16_t p;
+    if (!has_row(m, batch)) {
+        return;
+    }
     murk_row_space_read(m->space, row);
     /* Pass 0 counts and compares clarities; pass 1 compares the counts. */
     for (int pass = 0; pass < 2; ++pass) {
@@ -239,6 +250,9 @@ static void store_row(void *context, unsigned worker, uint64_t batch)
     merging *m = context;
     const murk_layout *layout = m->old;
     const murk_row *row = &m->row[batch];
+    if (!has_row(m, batch)) {
+        return;
+    }
     uint32_t *seen = m->scratch[worker].seen;
     uint16_t *packed = m->scratch[worker].packed;
     /* Collect the entries of the representatives. */
@@ -318,9 +332,28 @@ static void rewrite(merging *m)
     m->layout = old;
 }
 
+static murk_status no_memory(const murk_problem *problem, murk_error *err)
+{
+    return murk_no_memory(err, "", "to merge equal ones of %zu photons",
+                          problem->photons);
+}
+
+/* *is: whether it is so in all ranks; for a distributed matrix only. */
+static murk_status agree_on(bool *is, bool is_distributed, murk_status status,
+                            murk_error *err)
+{
+    uint64_t otherwise = !*is;
+    if (is_distributed) {
+        status = murk_ranks_sum(&otherwise, 1, false, status, err);
+        *is = otherwise == 0;
+    }
+    return status;
+}
+
 murk_status murk_merge(murk_layout *layout, murk_row *row,
-                       murk_row_space *space, const murk_problem *problem,
-                       _Atomic uint64_t *hash, bool is_forced, murk_error *err)
+                       murk_row_space *space, bool is_distributed,
+                       const murk_problem *problem, _Atomic uint64_t *hash,
+                       bool is_forced, murk_error *err)
 {
     merging m;
     murk_status status = MURK_OK;
@@ -328,6 +361,7 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
     bool has_memory = merging_init(&m, layout, row, space, problem) &&
                       find_groups(&m, problem, hash);
     free(hash);
+    m.is_distributed = is_distributed;
     has_memory = has_memory && choose_representatives(&m, problem) &&
                  allocate_scratch(&m);
     if (has_memory) {
@@ -336,23 +370,26 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
         fewer.weight = m.weight;
         status = murk_layout_init(&m.layout, &fewer, true, err);
     }
-    const bool pays = has_memory && !status &&
-                      murk_row_space_holds_twice(space) &&
-                      (is_forced || scan_cost(&m.layout) <
-                                        COST_RATIO_MAX * scan_cost(layout));
+    if (!status && !has_memory) {
+        status = no_memory(problem, err);
+    }
+    bool pays = !status && murk_row_space_holds_twice(space) &&
+                (is_forced ||
+                 scan_cost(&m.layout) < COST_RATIO_MAX * scan_cost(layout));
+    status = agree_on(&pays, is_distributed, status, err);
     if (pays) {
         murk_pool_run_workers(m.threads, m.candidates, check_row, &m);
     }
     /* Rewrite the rows if no hash collided. */
-    if (pays && !murk_interrupted() && murk_tally_read(&m.mismatches) == 0) {
-        rewrite(&m);
-        has_memory = murk_tally_read(&m.out_of_memory) == 0;
-    }
+    bool is_sound = pays && murk_tally_read(&m.mismatches) == 0;
     status = status ? status : murk_interrupt_check(err);
-    status = status ? status : murk_row_space_check(space, err);
-    if (!status && !has_memory) {
-        status = murk_no_memory(err, "", "to merge equal ones of %zu photons",
-                                problem->photons);
+    status = agree_on(&is_sound, is_distributed, status, err);
+    if (is_sound && !status) {
+        rewrite(&m);
+        status = murk_tally_read(&m.out_of_memory) == 0
+                     ? murk_interrupt_check(err)
+                     : no_memory(problem, err);
+        status = status ? status : murk_row_space_check(space, err);
     }
     murk_layout_release(&m.layout);
     murk_arena_release(&m.arena);

@@ -22,11 +22,14 @@ void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
 /* Merges photons in layout and row[candidates], which lie in `space`, if the
  * rows become so much shorter that merging pays, or always with is_forced.
  * Equal hashes are verified, row by row; if columns with one hash differ,
- * nothing is merged. Takes ownership of hash (from malloc()) and frees it as
- * soon as photons are grouped. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED,
- * or with MURK_RUN_FAILED if the scratch file of the rows cannot take them. */
+ * nothing is merged. is_distributed: each rank has the rows of its own
+ * candidates alone, and merges if all ranks can; collective then. Takes
+ * ownership of hash (from malloc()) and frees it as soon as photons are
+ * grouped. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED, or with
+ * MURK_RUN_FAILED if the scratch file of the rows cannot take them. */
 murk_status murk_merge(murk_layout *layout, murk_row *row,
-                       murk_row_space *space, const murk_problem *problem,
-                       _Atomic uint64_t *hash, bool is_forced, murk_error *err);
+                       murk_row_space *space, bool is_distributed,
+                       const murk_problem *problem, _Atomic uint64_t *hash,
+                       bool is_forced, murk_error *err);
 
 #endif

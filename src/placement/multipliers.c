@@ -142,11 +142,15 @@ static void weigh_row(void *context, unsigned worker, uint64_t batch)
     const evaluation *w = context;
     const murk_multipliers *t = w->multipliers;
     const murk_layout *layout = t->evaluator->layout;
-    const murk_row row =
-        murk_evaluator_row(t->evaluator, worker, w->candidate[batch]);
+    murk_row row;
     wide sum = 0;
     size_t i;
     uint16_t p;
+    w->gain[batch] = 0;
+    if (!murk_evaluator_own_row(&row, t->evaluator, worker,
+                                w->candidate[batch])) {
+        return;
+    }
     for (murk_row_walk walk = murk_row_begin(layout, &row);
          murk_row_next(&walk, &i, &p);) {
         const uint32_t dose = layout->doses->of[p];
@@ -171,6 +175,7 @@ void murk_multipliers_gains(murk_multipliers *t, const uint32_t *candidate,
     }
     evaluation w = {t, candidate, gain};
     murk_evaluator_run(t->evaluator, n, weigh_row, &w);
+    murk_evaluator_complete(t->evaluator, gain, n);
 }
 
 /* The number of the partial plan's k entries for this slot that the multiplier

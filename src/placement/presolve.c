@@ -12,10 +12,6 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* The number of pairs grows with the square. Beyond this many candidates the
- * comparisons take longer than the evaluations that they save. */
-#define CANDIDATES_MAX 10000
-
 typedef struct presolving {
     const murk_matrix *matrix;
     const murk_constraint_set *set;
@@ -67,7 +63,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (size_t j = 0; j < n; ++j) {
         dominator[j] = (uint32_t)j;
     }
-    if (n > CANDIDATES_MAX) {
+    if (n > MURK_PAIRED_CANDIDATES_MAX) {
         return MURK_OK;
     }
     murk_status status = MURK_OK;
@@ -136,7 +132,7 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
                                murk_error *err)
 {
     const size_t n = matrix->candidates;
-    if (n > CANDIDATES_MAX || needed >= n) {
+    if (n > MURK_PAIRED_CANDIDATES_MAX || needed >= n) {
         return MURK_OK;
     }
     murk_cover cover = {0};

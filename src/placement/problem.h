@@ -99,9 +99,11 @@ typedef struct murk_problem {
     void (*list_counters)(void *context, murk_counters *list);
     void *context;
     unsigned threads;
-    bool is_reweighed; /* the matrix will get other weights
-                          (murk_matrix_reweigh), so photons with equal columns
-                          are not merged */
+    bool is_distributed; /* ranks distribute the matrix, whatever its size
+                            (placement/matrix.h); for tests */
+    bool is_reweighed;   /* the matrix will get other weights
+                            (murk_matrix_reweigh), so photons with equal columns
+                            are not merged */
     murk_combining combining;
     unsigned redundancy; /* entries of a photon that count: 0 or 1 means one,
                             the maximum is MURK_REDUNDANCY_MAX; with
@@ -134,7 +136,8 @@ murk_status murk_matrix_reweigh(murk_matrix **out, const murk_matrix *from,
 void murk_matrix_destroy(murk_matrix *matrix); /* accepts NULL */
 uint64_t
 murk_matrix_pairs(const murk_matrix *matrix); /* entries that are not 0 */
-/* The bytes of all rows, in memory and in the scratch file. */
+/* The bytes of the rows that this rank stores, in memory and in the scratch
+ * file. */
 size_t murk_matrix_bytes(const murk_matrix *matrix);
 
 #endif

@@ -1,6 +1,6 @@
-/* Exchanges rows between ranks in portions of bounded size. A row is sent as a
- * head, with the distances of its arrays from the begin of its block, and the
- * block. */
+/* Exchanges rows between ranks, in portions of bounded size or one at a time. A
+ * row is sent as a head, with the distances of its arrays from the begin of its
+ * block, and the block. */
 #include "placement/row_exchange.h"
 
 #include "base/interrupt.h"
@@ -16,6 +16,12 @@
 enum { BITS, AT, SEGMENT_START, CLARITY, SLOT, ARRAYS };
 
 #define ABSENT UINT64_MAX
+
+/* Fetched rows are kept as far as this memory holds them, but so many at least:
+ * climbs and bounds ask for the rows of a plan again and again (a choice). */
+#define FETCHED_BYTES ((size_t)1 << 26)
+#define FETCHED_MIN   16
+#define FETCHED_MAX   1024
 
 typedef struct row_head {
     uint64_t candidate, kind, seen, words, bytes;
@@ -78,18 +84,13 @@ static murk_status pack(char **bytes, size_t *size, const murk_row *row,
     return MURK_OK;
 }
 
-/* Stores a row that was received. */
-static murk_status store(murk_row *row, const row_head *head, const char *block,
-                         murk_row_space *space, murk_error *err)
+/* A row that was received, with its block in `memory`. */
+static murk_row received(const row_head *head, const char *block, void *memory)
 {
-    void *memory = murk_aligned_zeros(head->bytes);
-    if (!memory) {
-        return murk_no_memory(err, "", "for the coverage matrix");
-    }
     if (head->bytes) {
         memcpy(memory, block, head->bytes);
     }
-    *row = (murk_row){.kind = (murk_row_kind)head->kind,
+    return (murk_row){.kind = (murk_row_kind)head->kind,
                       .seen = head->seen,
                       .words = head->words,
                       .bits = array_of(head, BITS, memory),
@@ -99,6 +100,17 @@ static murk_status store(murk_row *row, const row_head *head, const char *block,
                       .slot = array_of(head, SLOT, memory),
                       .memory = memory,
                       .memory_bytes = head->bytes};
+}
+
+/* Stores a row that was received. */
+static murk_status store(murk_row *row, const row_head *head, const char *block,
+                         murk_row_space *space, murk_error *err)
+{
+    void *memory = murk_aligned_zeros(head->bytes);
+    if (!memory) {
+        return murk_no_memory(err, "", "for the coverage matrix");
+    }
+    *row = received(head, block, memory);
     return murk_row_space_keep(space, row) ? MURK_OK
                                            : murk_row_space_check(space, err);
 }
@@ -153,4 +165,101 @@ murk_status murk_row_exchange(murk_row *row, size_t candidates,
         }
     }
     return status;
+}
+
+/* A queue of places; the row that was fetched first leaves first. Each place
+ * has memory for the largest row, so that fetching a row cannot fail in one
+ * rank alone after the exchange. */
+struct murk_fetched_rows {
+    size_t places, next, row_bytes;
+    size_t *candidate; /* [places]; SIZE_MAX: the place is empty */
+    murk_row *row;     /* [places] */
+    void **memory;     /* [places] blocks; NULL until the place is taken */
+};
+
+murk_fetched_rows *murk_fetched_rows_create(size_t row_bytes)
+{
+    const size_t fits = FETCHED_BYTES / (row_bytes + 1);
+    const size_t places = fits < FETCHED_MIN   ? FETCHED_MIN
+                          : fits > FETCHED_MAX ? FETCHED_MAX
+                                               : fits;
+    murk_fetched_rows *f = calloc(1, sizeof *f);
+    if (f) {
+        *f = (murk_fetched_rows){.places = places,
+                                 .row_bytes = row_bytes,
+                                 .candidate =
+                                     calloc(places, sizeof *f->candidate),
+                                 .row = calloc(places, sizeof *f->row),
+                                 .memory = calloc(places, sizeof *f->memory)};
+    }
+    if (!f || !f->candidate || !f->row || !f->memory) {
+        murk_fetched_rows_destroy(f);
+        return NULL;
+    }
+    for (size_t k = 0; k < places; ++k) {
+        f->candidate[k] = SIZE_MAX;
+    }
+    return f;
+}
+
+void murk_fetched_rows_destroy(murk_fetched_rows *fetched)
+{
+    if (fetched) {
+        for (size_t k = 0; fetched->memory && k < fetched->places; ++k) {
+            free(fetched->memory[k]);
+        }
+        free(fetched->memory);
+        free(fetched->row);
+        free(fetched->candidate);
+        free(fetched);
+    }
+}
+
+/* Exchanges one row, into the next place. */
+static murk_status fetch(murk_fetched_rows *f, const murk_row *row,
+                         size_t candidate, murk_error *err)
+{
+    char *bytes = NULL;
+    size_t size = 0;
+    murk_gathered all = {0};
+    void **memory = &f->memory[f->next];
+    murk_status status = murk_interrupt_check(err);
+    /* Memory for the row, in all ranks. */
+    if (!status && !*memory) {
+        *memory = murk_aligned_zeros(f->row_bytes);
+        status = *memory ? MURK_OK
+                         : murk_no_memory(err, "", "for the coverage matrix");
+    }
+    /* The rank that owns the row gives it. */
+    if (!status) {
+        status = pack(&bytes, &size, row, candidate, candidate + 1, err);
+    }
+    status = murk_ranks_gather(&all, bytes, size, status, err);
+    if (!status) {
+        row_head head;
+        memcpy(&head, all.bytes, sizeof head);
+        f->row[f->next] = received(&head, all.bytes + sizeof head, *memory);
+        f->candidate[f->next] = candidate;
+    }
+    murk_gathered_release(&all);
+    free(bytes);
+    return status;
+}
+
+murk_row murk_fetched_rows_get(murk_fetched_rows *fetched, const murk_row *row,
+                               size_t candidate)
+{
+    murk_error err;
+    for (size_t k = 0; k < fetched->places; ++k) {
+        if (fetched->candidate[k] == candidate) {
+            return fetched->row[k];
+        }
+    }
+    /* The failure is final, and murk_interrupted() tells of it. */
+    if (fetch(fetched, row, candidate, &err)) {
+        return (murk_row){.kind = MURK_ROW_CLEAR_LIST};
+    }
+    const murk_row found = fetched->row[fetched->next];
+    fetched->next = (fetched->next + 1) % fetched->places;
+    return found;
 }

@@ -1,5 +1,6 @@
-/* Gives every rank (base/ranks.h) the rows that the other ranks have computed.
- * For use inside src/placement only. */
+/* Rows that other ranks (base/ranks.h) have computed: all of them are exchanged
+ * at once, or each stays with the rank that computed it, and the other ranks
+ * fetch a row when they need it. For use inside src/placement only. */
 #ifndef MURK_PLACEMENT_ROW_EXCHANGE_H
 #define MURK_PLACEMENT_ROW_EXCHANGE_H
 
@@ -16,5 +17,19 @@ bool murk_row_is_own(size_t candidate);
 murk_status murk_row_exchange(murk_row *row, size_t candidates,
                               murk_row_space *space, size_t row_bytes,
                               murk_status status, murk_error *err);
+
+/* The rows that were fetched last, the same ones in all ranks. */
+typedef struct murk_fetched_rows murk_fetched_rows;
+
+/* row_bytes: the size of a row, at most. NULL when out of memory. */
+murk_fetched_rows *murk_fetched_rows_create(size_t row_bytes);
+void murk_fetched_rows_destroy(murk_fetched_rows *fetched); /* accepts NULL */
+
+/* The row of a candidate, of which row[candidate] has the entries in the rank
+ * that owns the row. Collective: all ranks fetch the same rows in the same
+ * order. The arrays stay valid until the next call. After a failure of any rank
+ * (murk_interrupted()) the row has no entries. */
+murk_row murk_fetched_rows_get(murk_fetched_rows *fetched, const murk_row *row,
+                               size_t candidate);
 
 #endif

@@ -48,6 +48,11 @@ murk_status murk_gain_scan_init(murk_gain_scan *out,
     if (evaluator->matrix && evaluator->slack) {
         out->max = murk_arena_array(arena, n, sizeof *out->max);
     }
+    if (murk_evaluator_is_distributed(evaluator) && !out->max) {
+        out->ahead = murk_arena_array(arena, n, sizeof *out->ahead);
+        out->ahead_list = murk_arena_array(arena, n, sizeof *out->ahead_list);
+        out->ahead_gain = murk_arena_array(arena, n, sizeof *out->ahead_gain);
+    }
     if (murk_evaluator_asks_parts(evaluator)) {
         out->entry_max = murk_arena_array(arena, evaluator->layout->slots,
                                           sizeof *out->entry_max);
@@ -222,6 +227,35 @@ static uint64_t larger(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
+/* Candidates whose gains are first computed ahead; each time later as many as
+ * before together (a choice). */
+#define FIRST_AHEAD 1024
+
+/* With a distributed matrix every evaluation is an exchange, which takes longer
+ * than the gains of a chunk. So the gains of more candidates by rank, at least
+ * up to number `end`, are computed and exchanged at once. Some may be in vain;
+ * only those that the scan takes are counted. */
+static void evaluate_ahead(murk_gain_scan *s, const murk_ranked *ranking,
+                           size_t end)
+{
+    if (s->ahead_end >= end) {
+        return;
+    }
+    const size_t all = s->evaluator->undominated, first = s->ahead_end;
+    size_t past = first > 0 ? 2 * first : FIRST_AHEAD;
+    past = past < end ? end : past;
+    past = past < all ? past : all;
+    for (size_t k = first; k < past; ++k) {
+        s->ahead_list[k - first] = ranking[k].candidate;
+    }
+    murk_evaluator_gains(s->evaluator, &s->cover, s->ahead_list, past - first,
+                         s->threads, s->worker, s->ahead_gain);
+    for (size_t k = first; k < past; ++k) {
+        s->ahead[ranking[k].candidate] = s->ahead_gain[k - first];
+    }
+    s->ahead_end = past;
+}
+
 /* Evaluates the undominated candidates by falling upper bound, until no bound
  * reaches the best gain. Returns the best gain; 0 if the run is interrupted. */
 static uint64_t evaluate_undominated(murk_gain_scan *s,
@@ -232,9 +266,12 @@ static uint64_t evaluate_undominated(murk_gain_scan *s,
      * must not decide which candidates are evaluated. */
     const uint64_t min = s->evaluator->matrix ? 0 : s->gain_min;
     uint64_t best = 0;
+    const bool evaluates_ahead = s->ahead && !s->known;
+    s->ahead_end = 0;
     for (size_t k = 0; k < n && ranking[k].bound >= larger(best, min);) {
         if (murk_interrupted()) {
-            return 0;
+            best = 0;
+            break;
         }
         size_t gathered = 0;
         for (; k < n && gathered < MURK_SCAN_CHUNK &&
@@ -244,8 +281,14 @@ static uint64_t evaluate_undominated(murk_gain_scan *s,
                 s->chunk[gathered++] = ranking[k].candidate;
             }
         }
+        if (evaluates_ahead) {
+            evaluate_ahead(s, ranking, k);
+            s->known = s->ahead;
+            s->known_step = 1;
+        }
         best = evaluate_promising(s, gathered, best);
     }
+    s->known = evaluates_ahead ? NULL : s->known;
     return best;
 }
 

@@ -33,6 +33,11 @@ typedef struct murk_gain_scan {
                               candidate j in this scan, computed before; NULL:
                               gains are computed when needed */
     size_t known_step;
+    uint64_t *ahead;      /* [candidates] with a distributed matrix: gains that
+                             were computed ahead in this scan; NULL: none are */
+    uint32_t *ahead_list; /* [candidates] scratch */
+    uint64_t *ahead_gain; /* [candidates] scratch */
+    size_t ahead_end;     /* of the candidates by rank that have such gains */
     uint32_t *tie; /* [ties] the candidates with the largest gain, increasing */
     size_t ties;
     uint32_t *shuffle;    /* [candidates] */

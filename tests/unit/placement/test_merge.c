@@ -87,8 +87,8 @@ static void test_prints_are_checked(void)
     CHECK(murk_matrix_make(&matrix, &m->problem, UINT64_MAX, MURK_MERGE_NEVER,
                            &err) == MURK_OK);
     _Atomic uint64_t *hash = calloc(m->problem.photons, sizeof *hash);
-    CHECK(murk_merge(&matrix->layout, matrix->row, matrix->space, &m->problem,
-                     hash, true, &err) == MURK_OK);
+    CHECK(murk_merge(&matrix->layout, matrix->row, matrix->space, false,
+                     &m->problem, hash, true, &err) == MURK_OK);
     CHECK(matrix->layout.photons == m->problem.photons);
     murk_matrix_destroy(matrix);
     made_up_destroy(m);
