@@ -4,7 +4,6 @@
 
 #include "base/file.h"
 #include "base/host.h"
-#include "base/interrupt.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +50,7 @@ murk_status murk_ranks_agree(murk_status status, murk_error *err)
     }
     status = ranks->agree(ranks->context, status, err);
     if (status) {
-        murk_interrupt_request();
+        atomic_store(&murk_host_now()->stop, 1);
     }
     return status;
 }

@@ -2,12 +2,13 @@
  * run (lightmap/lightmap.h), the memory of maps and rows, and the disk space of
  * the scratch file; and the same for a run that several ranks share. Ranks
  * divide the photons of a map and the rows of a coverage matrix that is
- * computed as a whole. Each rank receives the records and the rows of all
- * others, so it holds as much as a single process. */
+ * computed as a whole. Each rank receives the records of all others, and the
+ * rows, unless the matrix is so large that each rank keeps its own. */
 #include "overview/parts.h"
 
 #include "base/print.h"
 #include "base/scratch_file.h"
+#include "placement/problem.h"
 #include "world/scene_tallies.h"
 
 #include <math.h>
@@ -29,14 +30,11 @@ static double matrix_bytes(const murk_session *session, const murk_poses *poses,
     return records * rows_of(poses) * (dims ? 2 : 0.125);
 }
 
-/* The largest memory [bytes] of the rows of the coverage matrix: in an unknown
- * environment of those that placement remembers. */
-static double memory_of_rows(const murk_session *session,
-                             const murk_poses *poses,
-                             const murk_forecast *forecast)
+/* The largest memory [bytes] of the rows that a process holds, of `bytes`
+ * altogether: in an unknown environment of those that placement remembers. */
+static double memory_of_rows(const murk_session *session, double bytes)
 {
-    return fmin(session->scene->placement.memory_mb * 1048576,
-                matrix_bytes(session, poses, forecast));
+    return fmin(session->scene->placement.memory_mb * 1048576, bytes);
 }
 
 static bool is_unknown(const murk_session *session)
@@ -44,17 +42,13 @@ static bool is_unknown(const murk_session *session)
     return session->scene->placement.knowledge == MURK_SCENE_UNKNOWN;
 }
 
-/* The largest size [bytes] of the scratch file that has rows in a known
+/* The largest size [bytes] of the scratch file that has such rows in a known
  * environment. */
-static double scratch_bytes(const murk_session *session,
-                            const murk_poses *poses,
-                            const murk_forecast *forecast)
+static double scratch_bytes(const murk_session *session, double bytes)
 {
-    const double all = matrix_bytes(session, poses, forecast);
-    return is_unknown(session) ||
-                   all <= memory_of_rows(session, poses, forecast)
+    return is_unknown(session) || bytes <= memory_of_rows(session, bytes)
                ? 0
-               : all;
+               : bytes;
 }
 
 void murk_overview_json_forecast(cJSON *root, const murk_session *session,
@@ -62,18 +56,17 @@ void murk_overview_json_forecast(cJSON *root, const murk_session *session,
                                  const murk_forecast *f)
 {
     cJSON *object = cJSON_AddObjectToObject(root, "forecast");
+    const double matrix = matrix_bytes(session, poses, f);
     murk_json_number(object, "pilot_photons", (double)f->pilot_photons);
     murk_json_number(object, "emitted", f->emitted);
     murk_json_number(object, "surface", f->surface);
     murk_json_number(object, "volume", f->volume);
     murk_json_number(object, "memory_bytes", f->memory_bytes);
-    murk_json_number(object, "matrix_bytes_at_most",
-                     matrix_bytes(session, poses, f));
+    murk_json_number(object, "matrix_bytes_at_most", matrix);
     murk_json_number(object, "remembered_bytes_at_most",
-                     is_unknown(session) ? memory_of_rows(session, poses, f)
-                                         : 0);
+                     is_unknown(session) ? memory_of_rows(session, matrix) : 0);
     murk_json_number(object, "scratch_bytes_at_most",
-                     scratch_bytes(session, poses, f));
+                     scratch_bytes(session, matrix));
 }
 
 void murk_overview_print_forecast(const murk_session *session,
@@ -85,8 +78,9 @@ void murk_overview_print_forecast(const murk_session *session,
                f->emitted, f->surface, f->volume,
                (unsigned long long)f->pilot_photons);
     /* The memory and the disk space that a run takes. */
-    const double rows = memory_of_rows(session, poses, f);
-    const double scratch = scratch_bytes(session, poses, f);
+    const double matrix = matrix_bytes(session, poses, f);
+    const double rows = memory_of_rows(session, matrix);
+    const double scratch = scratch_bytes(session, matrix);
     if (f->memory_bytes + rows >= 1e5) {
         murk_print("memory      about %.3g GB a map while tracing; to place at "
                    "most %.3g GB more for rows of the coverage matrix\n",
@@ -108,6 +102,7 @@ typedef struct rank_share {
     double photons, rows; /* that the rank traces for a map, and computes */
     double trace_s;       /* of the photons of a map, with all threads */
     double tallies_bytes; /* that the rank holds, as every rank does */
+    double matrix_bytes;  /* of the rows that the rank holds, at most */
     double records_bytes, rows_bytes, sums_bytes; /* that the rank receives */
 } rank_share;
 
@@ -125,6 +120,7 @@ static rank_share share_of(const murk_session *session, const murk_poses *poses,
         .photons = f->emitted / n,
         .trace_s = photon_s * f->emitted / (n * threads),
         .tallies_bytes = murk_tallies_bytes(session->stage, threads),
+        .matrix_bytes = matrix_bytes(session, poses, f),
         .records_bytes = others * records * sizeof(murk_photon),
         /* The sums are part of the memory for one thread. */
         .sums_bytes = ranks > 1 ? murk_tallies_bytes(session->stage, 1) : 0};
@@ -132,7 +128,11 @@ static rank_share share_of(const murk_session *session, const murk_poses *poses,
      * for. */
     if (!is_unknown(session)) {
         share.rows = rows_of(poses) / n;
-        share.rows_bytes = others * matrix_bytes(session, poses, f);
+        share.rows_bytes = others * share.matrix_bytes;
+        if (murk_matrix_spreads(rows_of(poses), records, ranks)) {
+            share.matrix_bytes /= n;
+            share.rows_bytes = 0;
+        }
     }
     return share;
 }
@@ -152,9 +152,9 @@ void murk_overview_json_ranks(cJSON *root, const murk_session *session,
     /* Held by each rank. */
     murk_json_number(object, "memory_bytes", f->memory_bytes);
     murk_json_number(object, "rows_bytes_at_most",
-                     memory_of_rows(session, poses, f));
+                     memory_of_rows(session, share.matrix_bytes));
     murk_json_number(object, "scratch_bytes_at_most",
-                     scratch_bytes(session, poses, f));
+                     scratch_bytes(session, share.matrix_bytes));
     murk_json_number(object, "tallies_bytes", share.tallies_bytes);
     /* Received by each rank. */
     murk_json_number(object, "received_records_bytes", share.records_bytes);
@@ -173,22 +173,25 @@ void murk_overview_print_ranks(const murk_session *session,
                "photons a map and computes %.3g rows of the coverage matrix\n",
                ranks, share.threads, share.threads > 1 ? "s" : "",
                share.photons, share.rows);
-    /* Memory and disk space, which are not divided. */
+    /* Memory and disk space; those of small matrices are not divided. */
     murk_print("            memory of each rank about %.3g GB a map while "
                "tracing, at most %.3g GB more for rows, %.3g GB for tallies\n",
-               gb * f->memory_bytes, gb * memory_of_rows(session, poses, f),
+               gb * f->memory_bytes,
+               gb * memory_of_rows(session, share.matrix_bytes),
                gb * share.tallies_bytes);
-    if (scratch_bytes(session, poses, f) > 0) {
+    const double scratch = scratch_bytes(session, share.matrix_bytes);
+    if (scratch > 0) {
         murk_print("            scratch file of each rank at most %.3g GB\n",
-                   gb * scratch_bytes(session, poses, f));
+                   gb * scratch);
     }
     /* The exchange, and the time. */
     murk_print("            received by each rank: %.3g GB of records a map, "
                "at most %.3g GB of rows and %.3g GB of sums of tallies\n",
                gb * share.records_bytes, gb * share.rows_bytes,
                gb * share.sums_bytes);
-    murk_print("time        about %.2g s to trace a map, as the pilot took; "
-               "what every rank does is not counted: ordering the map, "
-               "held-out photons, choosing sensors\n",
-               share.trace_s);
+    murk_print(
+        "time        about %.2g s to trace a map, as the pilot took; "
+        "ordering the map, held-out photons, rows and choosing sensors are "
+        "not counted\n",
+        share.trace_s);
 }

@@ -294,13 +294,12 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
     return status;
 }
 
-/* bytes: of all rows, at most. */
-static bool is_distributed(const murk_problem *problem, uint64_t bytes,
-                           uint64_t memory_bytes)
+static bool is_distributed(const murk_problem *problem)
 {
-    const bool is_large = problem->candidates > MURK_PAIRED_CANDIDATES_MAX &&
-                          bytes > memory_bytes;
-    return murk_ranks_count() > 1 && (is_large || problem->is_distributed);
+    const unsigned ranks = murk_ranks_count();
+    return murk_matrix_spreads((double)problem->candidates,
+                               (double)problem->photons, ranks) ||
+           (ranks > 1 && problem->is_distributed);
 }
 
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
@@ -341,7 +340,7 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     status = murk_layout_init(&matrix->layout, problem, true, err);
     if (!status) {
         uint64_t bytes_max = max_possible(&matrix->layout, problem->candidates);
-        if (is_distributed(problem, bytes_max, memory_bytes)) {
+        if (is_distributed(problem)) {
             matrix->is_distributed = true;
             bytes_max = max_possible(&matrix->layout,
                                      murk_ranks_share(problem->candidates));

@@ -3,11 +3,9 @@
  * With ranks (base/ranks.h) a large matrix is distributed: a rank stores the
  * rows of its own candidates (murk_row_is_own()) alone, so memory and the
  * evaluation of gains are divided. Everything else, counts and sums of the
- * whole matrix included, is the same in all ranks. A matrix is large if its
- * rows may exceed the memory that they are given, and there are more than
- * MURK_PAIRED_CANDIDATES_MAX candidates, as fewer ones are compared in pairs.
- * Each evaluation of gains is an exchange then, so all ranks have the rows of
- * smaller matrices, and search alone. */
+ * whole matrix included, is the same in all ranks. Each evaluation of gains is
+ * an exchange then, so all ranks have the rows of a small matrix, and search
+ * alone. */
 #ifndef MURK_PLACEMENT_MATRIX_H
 #define MURK_PLACEMENT_MATRIX_H
 
@@ -27,11 +25,6 @@ struct murk_matrix {
     uint64_t pairs;             /* entries of all rows that are not 0 */
     uint64_t bytes;             /* of all rows */
 };
-
-/* With more candidates rows are not compared in pairs (placement/presolve.h).
- * The number of pairs grows with the square: beyond so many candidates the
- * comparisons take longer than the evaluations that they save. */
-#define MURK_PAIRED_CANDIDATES_MAX 10000
 
 /* The choice whether photons with equal columns are merged (placement/merge.h).
  */

@@ -7,17 +7,23 @@
 
 #include "base/interrupt.h"
 #include "base/pool.h"
+#include "base/ranks.h"
 #include "placement/gain.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
 
+/* The number of pairs grows with the square. Beyond this many candidates the
+ * comparisons take longer than the evaluations that they save. */
+#define CANDIDATES_MAX 10000
+
 typedef struct presolving {
     const murk_matrix *matrix;
     const murk_constraint_set *set;
     const uint32_t *order;
-    _Atomic uint32_t *first; /* [candidates] by rank: the rank of the first
-                                dominator found; the own rank: none */
+    _Atomic uint32_t *first; /* [candidates] by number in the order: the number
+                                of the first dominator found; the own number:
+                                none */
     murk_cover *cover;       /* [threads] */
 } presolving;
 
@@ -30,29 +36,106 @@ static void lower_to(_Atomic uint32_t *cell, uint32_t value)
     }
 }
 
-/* Marks all candidates that the candidate of this rank dominates. A dominated
+static bool is_dominated(const presolving *p, uint32_t at)
+{
+    return atomic_load_explicit(&p->first[at], memory_order_relaxed) < at;
+}
+
+/* Marks the candidate number b of the order if number a dominates it, whose row
+ * is the cover. */
+static void compare(presolving *p, const murk_cover *cover, uint32_t a,
+                    uint32_t b)
+{
+    const uint32_t candidate = p->order[b];
+    if (murk_matrix_has(p->matrix, candidate) &&
+        atomic_load_explicit(&p->first[b], memory_order_relaxed) > a &&
+        murk_row_is_covered(&p->matrix->layout,
+                            murk_matrix_row(p->matrix, candidate), cover) &&
+        (!p->set ||
+         murk_constraint_set_may_drop(p->set, p->order[a], candidate))) {
+        lower_to(&p->first[b], a);
+    }
+}
+
+/* Marks all candidates that number `batch` of the order dominates. A dominated
  * candidate may be passed over: the dominator marks the same candidates and
- * ranks first. So the result does not depend on the order of the tasks. */
+ * comes first. So the result does not depend on the order of the tasks. */
 static void mark(void *context, unsigned worker, uint64_t batch)
 {
     presolving *p = context;
-    const uint32_t rank = (uint32_t)batch;
-    if (atomic_load_explicit(&p->first[rank], memory_order_relaxed) < rank) {
-        return;
-    }
+    const uint32_t a = (uint32_t)batch;
     const murk_layout *layout = &p->matrix->layout;
     murk_cover *cover = &p->cover[worker];
+    if (is_dominated(p, a)) {
+        return;
+    }
     murk_cover_clear(cover, layout);
-    murk_cover_add(cover, layout, murk_matrix_row(p->matrix, p->order[rank]));
-    for (uint32_t b = rank + 1; b < p->matrix->candidates; ++b) {
-        if (atomic_load_explicit(&p->first[b], memory_order_relaxed) > rank &&
-            murk_row_is_covered(layout, murk_matrix_row(p->matrix, p->order[b]),
-                                cover) &&
-            (!p->set || murk_constraint_set_may_drop(p->set, p->order[rank],
-                                                     p->order[b]))) {
-            lower_to(&p->first[b], rank);
+    murk_cover_add(cover, layout, murk_matrix_row(p->matrix, p->order[a]));
+    for (uint32_t b = a + 1; b < p->matrix->candidates; ++b) {
+        compare(p, cover, a, b);
+    }
+}
+
+/* ---- distributed matrices: the ranks take one candidate after the other,
+ * whose row all fetch, and compare the rows of their own candidates with it
+ * ---- */
+
+/* Makes the row of a candidate the cover. False if the candidate is passed
+ * over, which the rank that has its row knows, or after a failure of a rank. */
+static bool begin_candidate(const murk_matrix *matrix, uint32_t candidate,
+                            bool is_passed_over, murk_cover *cover)
+{
+    murk_error err;
+    uint64_t word = murk_matrix_has(matrix, candidate) && is_passed_over;
+    if (murk_ranks_complete(&word, sizeof word, murk_interrupt_check(&err),
+                            &err) ||
+        word) {
+        return false;
+    }
+    const murk_row row =
+        murk_fetched_rows_get(matrix->fetched, matrix->row, candidate);
+    murk_cover_clear(cover, &matrix->layout);
+    murk_cover_add(cover, &matrix->layout, &row);
+    return !murk_interrupted();
+}
+
+typedef struct marking {
+    presolving *p;
+    uint32_t a;
+} marking;
+
+static void mark_one(void *context, unsigned worker, uint64_t batch)
+{
+    const marking *m = context;
+    (void)worker;
+    compare(m->p, &m->p->cover[0], m->a, m->a + 1 + (uint32_t)batch);
+}
+
+static void mark_by_ranks(presolving *p, unsigned threads)
+{
+    const uint32_t n = (uint32_t)p->matrix->candidates;
+    for (uint32_t a = 0; a < n && !murk_interrupted(); ++a) {
+        marking m = {p, a};
+        if (begin_candidate(p->matrix, p->order[a], is_dominated(p, a),
+                            &p->cover[0])) {
+            murk_pool_run_workers(threads, n - a - 1, mark_one, &m);
         }
     }
+}
+
+/* Completes value[candidates], of which each rank knows those of its own
+ * candidates. */
+static murk_status complete(const murk_matrix *matrix, uint32_t *value,
+                            murk_error *err)
+{
+    if (!matrix->is_distributed) {
+        return MURK_OK;
+    }
+    for (size_t j = 0; j < matrix->candidates; ++j) {
+        value[j] = murk_matrix_has(matrix, j) ? value[j] : 0;
+    }
+    return murk_ranks_complete(value, matrix->candidates * sizeof *value,
+                               murk_interrupt_check(err), err);
 }
 
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
@@ -63,7 +146,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (size_t j = 0; j < n; ++j) {
         dominator[j] = (uint32_t)j;
     }
-    if (n > MURK_PAIRED_CANDIDATES_MAX) {
+    if (n > CANDIDATES_MAX) {
         return MURK_OK;
     }
     murk_status status = MURK_OK;
@@ -85,11 +168,16 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (uint32_t k = 0; k < n; ++k) {
         atomic_init(&p.first[k], k);
     }
-    /* Compare the pairs of rows; then translate ranks to candidates. */
-    murk_pool_run_workers(threads, n, mark, &p);
+    /* Compare the pairs of rows; then translate numbers to candidates. */
+    if (matrix->is_distributed) {
+        mark_by_ranks(&p, threads);
+    } else {
+        murk_pool_run_workers(threads, n, mark, &p);
+    }
     for (size_t k = 0; k < n; ++k) {
         dominator[order[k]] = order[atomic_load(&p.first[k])];
     }
+    status = complete(matrix, dominator, err);
 done:
     for (unsigned k = 0; p.cover && k < threads; ++k) {
         murk_cover_release(&p.cover[k]);
@@ -109,14 +197,19 @@ static void drop_many(bool *is_dropped, size_t *dominators, murk_cover *cover,
     const murk_layout *layout = &matrix->layout;
     for (size_t k = 0; k < matrix->candidates && !murk_interrupted(); ++k) {
         const uint32_t a = order[k];
-        if (is_dropped[a]) {
+        if (matrix->is_distributed
+                ? !begin_candidate(matrix, a, is_dropped[a], cover)
+                : is_dropped[a]) {
             continue;
         }
-        murk_cover_clear(cover, layout);
-        murk_cover_add(cover, layout, murk_matrix_row(matrix, a));
+        /* The row of candidate a is the cover. */
+        if (!matrix->is_distributed) {
+            murk_cover_clear(cover, layout);
+            murk_cover_add(cover, layout, murk_matrix_row(matrix, a));
+        }
         for (size_t i = k + 1; i < matrix->candidates; ++i) {
             const uint32_t b = order[i];
-            if (!is_dropped[b] &&
+            if (murk_matrix_has(matrix, b) && !is_dropped[b] &&
                 murk_row_is_covered(layout, murk_matrix_row(matrix, b),
                                     cover) &&
                 (!set || murk_constraint_set_may_drop(set, a, b))) {
@@ -132,7 +225,7 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
                                murk_error *err)
 {
     const size_t n = matrix->candidates;
-    if (n > MURK_PAIRED_CANDIDATES_MAX || needed >= n) {
+    if (n > CANDIDATES_MAX || needed >= n) {
         return MURK_OK;
     }
     murk_cover cover = {0};
@@ -145,5 +238,8 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
     drop_many(is_dropped, dominators, &cover, matrix, set, order, needed);
     murk_cover_release(&cover);
     free(dominators);
-    return MURK_OK;
+    return matrix->is_distributed
+               ? murk_ranks_complete(is_dropped, n * sizeof *is_dropped,
+                                     murk_interrupt_check(err), err)
+               : MURK_OK;
 }

@@ -116,6 +116,18 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
     return problem->redundancy > 1 ? problem->redundancy : 1;
 }
 
+/* Ranks (base/ranks.h) distribute a matrix of so many pairs of candidate and
+ * photon: each rank keeps the rows that it has computed. A search over fewer
+ * pairs takes a second or two, and exchanges would take as long (measured with
+ * 2 ranks on one machine). */
+#define MURK_DISTRIBUTED_PAIRS 16777216.0
+
+static inline bool murk_matrix_spreads(double candidates, double photons,
+                                       unsigned ranks)
+{
+    return ranks > 1 && candidates * photons >= MURK_DISTRIBUTED_PAIRS;
+}
+
 /* The stored coverage matrix: the known environment. Each row has one of
  * several formats (placement/row.h). */
 typedef struct murk_matrix murk_matrix;

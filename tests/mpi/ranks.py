@@ -139,6 +139,14 @@ def results_are_the_same(folder, room, study):
         same(folder, f"place over {over}", ["place", room, *emit(3000), *place(f"over: {over}")], ONE)
     same(folder, "place the target", ["place", room, *place("detection: independent"), "--target", "0.5"], ONE)
     same(folder, "place in a flat", ["place", "scenes/paper-room.yaml", "--store", str(1500 * SIZE)], ONE)
+    # Pairs of candidates and photons enough for ranks to keep their own rows.
+    many = ["place", room, *emit(1500), "--set", "sensors.candidates.grid.size=[30, 24, 15]"]
+    same(folder, "many: best", [*many], SOME)
+    for name, value in (("greedy", "method: greedy"), ("spoq", "method: spoq, restarts: 2"),
+                        ("at least two", "at_least: 2"), ("by memory", "memory_mb: 20"), ("worst", "over: worst, "
+                        "method: greedy")):
+        same(folder, f"many: {name}", [*many, *place(value)], ONE)
+    same(folder, "many: the target", [*many, *place("detection: independent, method: greedy"), "--target", "0.3"], ONE)
     same(folder, "place repeated", ["place", room, *emit(3000), "--repeat", "4"], SOME)
     # Seed 11 misses the target.
     seed = ["--target", "0.59", "--seed", "9", "--repeat", "5"]
