@@ -5,6 +5,7 @@
 #include "calibrate/calibrate.h"
 
 #include "base/interrupt.h"
+#include "base/ranks.h"
 #include "base/stats.h"
 #include "calibrate/search.h"
 #include "calibrate/slope_noise.h"
@@ -313,11 +314,17 @@ static bool is_doubtful(const murk_calibration *out, const murk_fit_search *s,
            murk_chi2_upper(best->cost, freedom) < MURK_FIT_REFUSED;
 }
 
-/* True if start i is to be run here: it is one of the shard, and in no part. */
-static bool is_due(const murk_calibration *out, const murk_fit_search *s,
-                   size_t i)
+/* The starts that are run here: those of the shard, or of this rank. */
+static murk_shard share_of(const murk_fit_search *s)
 {
-    const murk_shard shard = s->desc->shard;
+    return murk_ranks_count() > 1
+               ? (murk_shard){murk_ranks_number() + 1, murk_ranks_count()}
+               : s->desc->shard;
+}
+
+/* True if start i is to be run here: it is one of the shard, and in no part. */
+static bool is_due(const murk_calibration *out, murk_shard shard, size_t i)
+{
     const bool is_mine =
         i == 0 || !shard.count || (i - 1) % shard.count == shard.number - 1;
     return is_mine && !out->start[i].has_ended;
@@ -343,10 +350,13 @@ static murk_status run_starts(murk_calibration *out, murk_fit_search *s,
                               murk_error *err)
 {
     const size_t asked = starts_asked(s->desc);
+    const murk_shard share = share_of(s);
     murk_status status =
-        is_due(out, s, 0) ? murk_fit_start(out, s, 0, err) : MURK_OK;
+        is_due(out, share, 0) ? murk_fit_start(out, s, 0, err) : MURK_OK;
+    /* Ranks run the further starts alone, and exchange them afterwards. */
+    const murk_ranks *ranks = murk_ranks_leave();
     for (size_t i = 1; i < asked && !status; ++i) {
-        if (!is_due(out, s, i)) {
+        if (!is_due(out, share, i)) {
             continue;
         }
         status = s->shares_light ? MURK_OK : share_light(out, s, err);
@@ -358,7 +368,9 @@ static murk_status run_starts(murk_calibration *out, murk_fit_search *s,
             status = murk_fit_resume(out, s, i, err);
         }
     }
-    return status;
+    murk_ranks_return(ranks);
+    return murk_ranks_count() > 1 ? murk_starts_exchange(out, s, status, err)
+                                  : status;
 }
 
 /* Runs restarts with light of their own, while the best start is doubtful.
@@ -370,8 +382,9 @@ static murk_status run_restarts(murk_calibration *out, murk_fit_search *s,
     *done = starts_asked(s->desc);
     while (*done < out->starts && !status &&
            is_doubtful(out, s, murk_fit_best(out, *done))) {
-        status = is_due(out, s, *done) ? murk_fit_start(out, s, *done, err)
-                                       : MURK_OK;
+        status = is_due(out, s->desc->shard, *done)
+                     ? murk_fit_start(out, s, *done, err)
+                     : MURK_OK;
         *done += !status;
     }
     return status;

@@ -1,12 +1,14 @@
-/* Writes and reads the searches of a part of a fit (calibrate/start_parts.h).
- * The file has the container format of light.murk (photonmap/map_file.h): the
- * facts of the part, the texts by which it is refused for another scene or
- * other options, a record of each search, and the points of the searches. Start
- * values are no part of it, because they follow from the number of the start.
+/* Writes and reads the searches of a part of a fit, and exchanges searches
+ * between ranks (calibrate/start_parts.h). The file has the container format of
+ * light.murk (photonmap/map_file.h): the facts of the part, the texts by which
+ * it is refused for another scene or other options, a record of each search,
+ * and the points of the searches. Start values are no part of it, because they
+ * follow from the number of the start.
  */
 #include "calibrate/start_parts.h"
 
 #include "base/host.h"
+#include "base/ranks.h"
 #include "calibrate/search.h"
 #include "lightmap/key_check.h"
 #include "photonmap/map_file.h"
@@ -82,21 +84,12 @@ static murk_status name_owner(owner *out, const murk_calibration_desc *desc,
 
 /* ---- writing ---- */
 
-murk_status murk_start_part_write(const murk_calibration *found,
-                                  const murk_calibration_desc *desc,
-                                  const char *path, murk_error *err)
+/* Lists the searches that have ended: records and points [starts]. Returns
+ * their number. */
+static size_t list_ended(record *records, double *points,
+                         const murk_calibration *found)
 {
     const size_t n = found->n;
-    record *records = calloc(found->starts + 1, sizeof *records);
-    double *points = calloc(found->starts * 2 * n + 1, sizeof *points);
-    owner names = {0};
-    murk_status status = records && points
-                             ? name_owner(&names, desc, err)
-                             : murk_no_memory(err, path, "to write it");
-    if (status) {
-        goto done;
-    }
-    /* The searches that have ended. */
     size_t count = 0;
     for (size_t i = 0; i < found->starts; ++i) {
         const murk_calibration_start *start = &found->start[i];
@@ -117,6 +110,24 @@ murk_status murk_start_part_write(const murk_calibration *found,
         memcpy(points + (count * 2 + 1) * n, start->lit, n * sizeof *points);
         ++count;
     }
+    return count;
+}
+
+murk_status murk_start_part_write(const murk_calibration *found,
+                                  const murk_calibration_desc *desc,
+                                  const char *path, murk_error *err)
+{
+    const size_t n = found->n;
+    record *records = calloc(found->starts + 1, sizeof *records);
+    double *points = calloc(found->starts * 2 * n + 1, sizeof *points);
+    owner names = {0};
+    murk_status status = records && points
+                             ? name_owner(&names, desc, err)
+                             : murk_no_memory(err, path, "to write it");
+    if (status) {
+        goto done;
+    }
+    const size_t count = list_ended(records, points, found);
     /* What the part belongs to. */
     part_facts facts = {.number = desc->shard.number,
                         .count = desc->shard.count};
@@ -314,6 +325,26 @@ static bool is_same(const murk_calibration_start *start, const record *r,
            memcmp(start->lit, points + n, n * sizeof *points) == 0;
 }
 
+/* Takes over a search. */
+static void take_start(murk_calibration *out, const murk_fit_search *search,
+                       const record *r, const double *points)
+{
+    const size_t n = out->n;
+    murk_calibration_start *start = &out->start[r->number];
+    start->has_ended = true;
+    start->converged = r->converged != 0;
+    start->traces = (size_t)r->traces;
+    start->lights = (size_t)r->lights;
+    start->evaluations = (size_t)r->evaluations;
+    start->iterations = (int)r->iterations;
+    start->chi2 = r->chi2;
+    start->cost = r->cost;
+    memcpy(start->why, r->why, sizeof start->why);
+    memcpy(start->x, points, n * sizeof *points);
+    memcpy(start->lit, points + n, n * sizeof *points);
+    murk_fit_complete(out, search, (size_t)r->number);
+}
+
 /* Takes over the searches of a part. One that is there already must be equal.
  */
 static murk_status take_part(murk_calibration *out,
@@ -324,7 +355,7 @@ static murk_status take_part(murk_calibration *out,
     for (size_t i = 0; i < p->n; ++i) {
         const record *r = &p->record[i];
         const double *points = p->point + i * 2 * n;
-        murk_calibration_start *start = &out->start[r->number];
+        const murk_calibration_start *start = &out->start[r->number];
         /* Compare with the search of a part before. */
         if (start->has_ended && !is_same(start, r, points, n)) {
             return murk_fail(
@@ -333,19 +364,7 @@ static murk_status take_part(murk_calibration *out,
                 "before",
                 (unsigned long long)r->number + 1);
         }
-        /* Take it over. */
-        start->has_ended = true;
-        start->converged = r->converged != 0;
-        start->traces = (size_t)r->traces;
-        start->lights = (size_t)r->lights;
-        start->evaluations = (size_t)r->evaluations;
-        start->iterations = (int)r->iterations;
-        start->chi2 = r->chi2;
-        start->cost = r->cost;
-        memcpy(start->why, r->why, sizeof start->why);
-        memcpy(start->x, points, n * sizeof *points);
-        memcpy(start->lit, points + n, n * sizeof *points);
-        murk_fit_complete(out, search, (size_t)r->number);
+        take_start(out, search, r, points);
     }
     return MURK_OK;
 }
@@ -392,5 +411,47 @@ murk_status murk_start_parts_read(murk_calibration *out,
     }
     release_owner(&names);
     free(has);
+    return status;
+}
+
+/* ---- ranks ---- */
+
+murk_status murk_starts_exchange(murk_calibration *out,
+                                 const murk_fit_search *search,
+                                 murk_status status, murk_error *err)
+{
+    /* A rank gives its records, then their points. */
+    const size_t pair = 2 * out->n * sizeof(double);
+    record *records = calloc(out->starts + 1, sizeof *records);
+    double *points = calloc(out->starts + 1, pair);
+    char *bytes = malloc(out->starts * (sizeof *records + pair) + 1);
+    size_t count = 0;
+    murk_gathered all = {0};
+    if (!status && !(records && points && bytes)) {
+        status = murk_no_memory(err, "", "to exchange the starts of the fit");
+    }
+    if (!status) {
+        count = list_ended(records, points, out);
+        memcpy(bytes, records, count * sizeof *records);
+        memcpy(bytes + count * sizeof *records, points, count * pair);
+    }
+    status = murk_ranks_gather(&all, bytes, count * (sizeof *records + pair),
+                               status, err);
+    /* Take over those of the other ranks, one after the other. */
+    for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
+        const char *at = all.bytes + all.begin[r];
+        count = (all.begin[r + 1] - all.begin[r]) / (sizeof *records + pair);
+        memcpy(records, at, count * sizeof *records);
+        memcpy(points, at + count * sizeof *records, count * pair);
+        for (size_t i = 0; i < count; ++i) {
+            if (!out->start[records[i].number].has_ended) {
+                take_start(out, search, &records[i], points + i * 2 * out->n);
+            }
+        }
+    }
+    murk_gathered_release(&all);
+    free(bytes);
+    free(points);
+    free(records);
     return status;
 }

@@ -1,6 +1,7 @@
-/* The searches of a part of a fit (murk fit --shard K/N) in a file: start 0, on
- * which all other starts depend, and those of the shard. For use inside
- * src/calibrate only. */
+/* The searches that another process has run: in the file of a part of a fit
+ * (murk fit --shard K/N), start 0, on which all other starts depend, and those
+ * of the shard; or in another rank (base/ranks.h). For use inside src/calibrate
+ * only. */
 #ifndef MURK_CALIBRATE_START_PARTS_H
 #define MURK_CALIBRATE_START_PARTS_H
 
@@ -21,5 +22,11 @@ murk_status murk_start_parts_read(murk_calibration *out,
 murk_status murk_start_part_write(const murk_calibration *found,
                                   const murk_calibration_desc *desc,
                                   const char *path, murk_error *err);
+
+/* Fills out->start[] with the searches that have ended in other ranks.
+ * Collective. Fails with MURK_NO_MEMORY, or with the failure of a rank. */
+murk_status murk_starts_exchange(murk_calibration *out,
+                                 const murk_fit_search *search,
+                                 murk_status status, murk_error *err);
 
 #endif
