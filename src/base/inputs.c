@@ -50,15 +50,17 @@ void murk_inputs_end(void)
  * `folder` if `path` is empty; 0 if the file cannot be examined. */
 static uint64_t hash_of(int folder, const char *path)
 {
-    struct statx file = {0};
-    if (statx(folder, path, AT_EMPTY_PATH, STATX_INO | STATX_BTIME, &file)) {
+    struct statx made = {0};
+    struct stat file;
+    if (fstatat(folder, path, &file, AT_EMPTY_PATH)) {
         return 0;
     }
-    const bool tells_time = file.stx_mask & STATX_BTIME;
-    const uint64_t name[] = {file.stx_dev_major, file.stx_dev_minor,
-                             file.stx_ino,
-                             tells_time ? (uint64_t)file.stx_btime.tv_sec : 0,
-                             tells_time ? (uint64_t)file.stx_btime.tv_nsec : 0};
+    const bool tells_time =
+        !statx(folder, path, AT_EMPTY_PATH, STATX_BTIME, &made) &&
+        (made.stx_mask & STATX_BTIME);
+    const uint64_t name[] = {(uint64_t)file.st_dev, (uint64_t)file.st_ino,
+                             tells_time ? (uint64_t)made.stx_btime.tv_sec : 0,
+                             tells_time ? (uint64_t)made.stx_btime.tv_nsec : 0};
     const uint64_t hash = XXH3_64bits(name, sizeof name);
     return hash ? hash : 1;
 }
