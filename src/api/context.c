@@ -122,6 +122,7 @@ murk_status murk_context_create(murk_context **out,
     host->importing = importing[context->options.imports];
     host->reader = context->reader;
     host->ranks = murk_host_now()->ranks;
+    host->keeps_in_first = murk_host_now()->keeps_in_first;
     host->version = murk_version_with_commit();
     murk_call call = murk_call_begin(context, NULL, error);
     murk_inputs_begin();

@@ -107,7 +107,8 @@ murk_status murk_command_trace(const murk_options *options, murk_error *err)
     if (!status) {
         status = make_light(&light, world, checkpoint, options, err);
     }
-    if (!status) { /* if an export alone fails, the light is saved */
+    /* If an export alone fails, the light is saved. */
+    if (!status && murk_ranks_keeps()) {
         status =
             murk_light_save(light, options->out, &save.options, &saved, err);
     }

@@ -40,7 +40,7 @@ const murk_command murk_commands[] = {
      "Traces photons from the lamps through surfaces and media into the "
      "surface and the volume photon map. With -o writes DIR/light.murk, "
      "DIR/scene.resolved.yaml and, last, DIR/ledger.json.",
-     murk_command_trace, .has_ranks = true,
+     murk_command_trace, .has_ranks = true, .ends_in_first = true,
      .formats = "murk-scene murk-light murk-results",
      .example = {{"murk trace scenes/slab.yaml",
                   "A slab of fog beside published figures: its reflectance and "

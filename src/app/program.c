@@ -93,6 +93,7 @@ static murk_status run_on_ranks(murk_options *options, murk_error *err)
     if (options->command->has_ranks) {
         options->quiet |= !is_first;
         options->progress = is_first ? options->progress : MURK_PROGRESS_NEVER;
+        murk_ranks_keep_in_first(options->command->ends_in_first);
         return run_command(options, err);
     }
     const murk_ranks *ranks = murk_ranks_leave();

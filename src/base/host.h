@@ -44,6 +44,7 @@ typedef struct murk_host {
     atomic_bool inputs_are_full;
     struct murk_progress_bar *bar;  /* base/progress.h */
     const struct murk_ranks *ranks; /* base/ranks.h; NULL: one process */
+    bool keeps_in_first;            /* rank 0 alone needs the results */
     const char *version; /* of the library, with the commit; NULL: that of the
                           * header alone */
     murk_importing importing;

@@ -42,6 +42,16 @@ void murk_ranks_return(const murk_ranks *ranks)
     murk_host_now()->ranks = ranks;
 }
 
+void murk_ranks_keep_in_first(bool is_so)
+{
+    murk_host_now()->keeps_in_first = is_so;
+}
+
+bool murk_ranks_keeps(void)
+{
+    return murk_ranks_number() == 0 || !murk_host_now()->keeps_in_first;
+}
+
 murk_status murk_ranks_agree(murk_status status, murk_error *err)
 {
     const murk_ranks *ranks = murk_host_now()->ranks;

@@ -76,6 +76,13 @@ static inline bool murk_ranks_owns(uint64_t item)
 const murk_ranks *murk_ranks_leave(void);
 void murk_ranks_return(const murk_ranks *ranks);
 
+/* Says whether rank 0 alone needs the results of the work that follows: other
+ * ranks then drop what nothing else needs, such as photon records. All ranks
+ * must say the same. murk_ranks_keeps(): whether this rank must have results.
+ * Not collective. */
+void murk_ranks_keep_in_first(bool is_so);
+bool murk_ranks_keeps(void);
+
 /* Returns `status`, or the failure of another rank. */
 murk_status murk_ranks_agree(murk_status status, murk_error *err);
 

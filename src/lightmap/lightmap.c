@@ -265,6 +265,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
+    const bool keeps = murk_ranks_keeps() || s->each;
     murk_emission e = {.stage = stage,
                        .stream = stream,
                        .threads = threads,
@@ -278,7 +279,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         status = murk_ending_check(stage, stream, err);
     } else if (!status) {
         status = murk_lightmap_forecast(&forecast, stage, stream, threads, err);
-        if (s->passes) {
+        if (s->passes || !keeps) {
             forecast.memory_bytes =
                 s->bytes_each * (forecast.surface + forecast.volume);
         }
@@ -306,6 +307,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         goto done;
     }
     e.tallies = traced->tallies;
+    e.buffers->passes = !keeps;
     status = prepare_stream(s, &e, traced, err);
     if (status) {
         goto done;

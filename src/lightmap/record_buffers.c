@@ -230,9 +230,6 @@ static murk_status hand_over(murk_record_buffers *h, size_t n_surface,
         return MURK_OK;
     }
     ++h->gathered;
-    if (!h->each) {
-        return MURK_OK;
-    }
     const uint64_t end = first + MURK_BATCH_PHOTONS - 1;
     const murk_record_batch batch = {
         .number = number,
@@ -242,7 +239,8 @@ static murk_status hand_over(murk_record_buffers *h, size_t n_surface,
         .volume = h->volume.n ? h->volume.photon + n_volume : NULL,
         .n_surface = h->surface.n - n_surface,
         .n_volume = h->volume.n - n_volume};
-    const murk_status status = h->each(h->each_context, &batch, err);
+    const murk_status status =
+        h->each ? h->each(h->each_context, &batch, err) : MURK_OK;
     if (h->passes) {
         h->surface.n = h->volume.n = 0;
     }

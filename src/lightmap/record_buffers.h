@@ -52,7 +52,8 @@ typedef struct murk_record_buffers {
     uint64_t stored;                   /* records gathered so far */
     murk_record_batch_sink each;       /* may be NULL */
     void *each_context;
-    bool passes; /* records are dropped after the sink has received them */
+    bool passes; /* records are dropped after the sink, if there is one, has
+                    received them */
 } murk_record_buffers;
 
 /* The settings must outlive the result. NULL when out of memory. */
