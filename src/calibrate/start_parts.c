@@ -91,6 +91,7 @@ static size_t list_ended(record *records, double *points,
 {
     const size_t n = found->n;
     size_t count = 0;
+    /* points: x and lit of each search. */
     for (size_t i = 0; i < found->starts; ++i) {
         const murk_calibration_start *start = &found->start[i];
         if (!start->has_ended) {

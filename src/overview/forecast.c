@@ -3,7 +3,7 @@
  * the scratch file; and the same for a run that several ranks share. Ranks
  * divide the photons of a map and the rows of a coverage matrix that is
  * computed as a whole. Each rank receives the records of all others, and the
- * rows, unless the matrix is so large that each rank keeps its own. */
+ * rows, which it keeps unless the matrix is large. */
 #include "overview/parts.h"
 
 #include "base/print.h"
@@ -131,7 +131,11 @@ static rank_share share_of(const murk_session *session, const murk_poses *poses,
         share.rows_bytes = others * share.matrix_bytes;
         if (murk_matrix_spreads(rows_of(poses), records, ranks)) {
             share.matrix_bytes /= n;
-            share.rows_bytes = 0;
+            /* Fewer candidates are compared in pairs, for which all ranks
+             * receive one row after the other. */
+            if (rows_of(poses) > MURK_PRESOLVE_CANDIDATES_MAX) {
+                share.rows_bytes = 0;
+            }
         }
     }
     return share;

@@ -77,8 +77,7 @@ murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
 {
     murk_row row;
     if (murk_evaluator_is_distributed(evaluator)) {
-        return murk_fetched_rows_get(evaluator->matrix->fetched, evaluator->row,
-                                     candidate);
+        return murk_matrix_fetch(evaluator->matrix, candidate);
     }
     (void)murk_evaluator_own_row(&row, evaluator, worker, candidate);
     return row;
@@ -260,8 +259,9 @@ uint64_t murk_evaluator_work(const murk_evaluator *evaluator,
 
 unsigned murk_evaluator_threads(const murk_evaluator *evaluator, size_t n)
 {
-    const bool is_worth = !evaluator->has_all_rows ||
-                          n > BYTES_WORTH_THREADS / (evaluator->row_bytes + 1);
+    const bool has_rows = evaluator->matrix || evaluator->has_all_rows;
+    const bool is_worth =
+        !has_rows || n > BYTES_WORTH_THREADS / (evaluator->row_bytes + 1);
     return is_worth ? evaluator->problem->threads : 1;
 }
 
@@ -383,7 +383,6 @@ static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
 static murk_status join_ranks(murk_cover *cover, const murk_layout *layout,
                               murk_status status, murk_error *err)
 {
-    murk_gathered all = {0};
     const size_t size = murk_cover_bytes(cover, layout);
     char *bytes = malloc(size);
     if (!status && !bytes) {
@@ -393,17 +392,21 @@ static murk_status join_ranks(murk_cover *cover, const murk_layout *layout,
     if (!status) {
         murk_cover_pack(cover, layout, bytes);
     }
-    status = murk_ranks_gather(&all, bytes, size, status, err);
+    /* One rank after the other gives its cover, so that one at a time needs
+     * memory. */
     for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
-        if (r != murk_ranks_number()) {
+        const bool is_own = r == murk_ranks_number();
+        murk_gathered all = {0};
+        status = murk_ranks_gather(&all, bytes, is_own ? size : 0, status, err);
+        if (!status && !is_own) {
             const murk_cover other =
-                murk_cover_unpack(cover, layout, all.bytes + r * size);
+                murk_cover_unpack(cover, layout, all.bytes);
             murk_cover_join(cover, layout, &other);
         }
+        murk_gathered_release(&all);
     }
-    murk_gathered_release(&all);
     free(bytes);
-    return status;
+    return murk_ranks_agree(status, err);
 }
 
 murk_status murk_evaluator_cover_all(const murk_evaluator *evaluator,

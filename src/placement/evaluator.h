@@ -20,12 +20,12 @@ typedef struct murk_evaluator {
     size_t candidates;
     murk_ranked_rows cached; /* unknown environment only */
     const murk_row *row;     /* [candidates] stored rows, those of the matrix or
-                                the cached ones; else row[j].memory NULL: the
-                                problem is asked */
+                                the cached ones; row[j].memory NULL: another rank
+                                has the row, or the problem is asked */
     bool has_all_rows;       /* all rows are stored here */
     bool is_binary; /* the entries of all rows are MURK_CLEAR, so covers may be
                        bits */
-    size_t row_bytes;       /* mean size of a stored row */
+    size_t row_bytes;       /* stored here, per candidate */
     uint64_t *single_value; /* [candidates] value of each candidate alone */
     uint64_t *slack; /* [candidates] the amount by which a gain may grow later,
                         through rounding; NULL: gains never grow */

@@ -45,6 +45,14 @@ static double gigabytes(double bytes)
     return bytes * 1e-9;
 }
 
+/* The most rows that a rank stores: the same number in all ranks, so that all
+ * make a forecast or none. */
+static size_t share_max(const murk_matrix *matrix)
+{
+    const size_t ranks = matrix->is_distributed ? murk_ranks_count() : 1;
+    return (matrix->candidates + ranks - 1) / ranks;
+}
+
 /* Upper bound on the bytes of the rows, for any entries. */
 static uint64_t max_possible(const murk_layout *layout, size_t candidates)
 {
@@ -124,7 +132,7 @@ static murk_status check_size(const fill_task *f, double bytes, murk_error *err)
                            "which can take %.3g GB; TMPDIR may name another "
                            "folder, and fewer candidates or photons, or "
                            "`knowledge: unknown`, need less",
-                           f->problem->candidates, f->problem->photons,
+                           share_max(f->matrix), f->problem->photons,
                            gigabytes(bytes), gigabytes(memory),
                            gigabytes(left));
 }
@@ -142,9 +150,7 @@ static murk_status forecast(fill_task *f, murk_error *err)
     }
     /* Scale the sample to all candidates. */
     const double rows = fmax((double)murk_tally_read(&f->rows), 1);
-    const double here = f->matrix->is_distributed
-                            ? (double)murk_ranks_share(problem->candidates)
-                            : (double)problem->candidates;
+    const double here = (double)share_max(f->matrix);
     const double of_all = here / rows;
     const double elapsed_s = (murk_clock_s() - begun_s) / problem->threads;
     const double bytes = of_all * (double)murk_row_space_bytes(space);
@@ -155,12 +161,11 @@ static murk_status forecast(fill_task *f, murk_error *err)
     const murk_status status = check_size(f, bytes, err);
     if (!status) {
         murk_note("coverage matrix",
-                  "%zu candidates and %zu photons take about %.3g GB and %.2g "
-                  "s to compute: %.3g GB in memory, the rest in a scratch file "
-                  "in %s, which can take %.3g GB",
-                  problem->candidates, problem->photons, gigabytes(bytes),
-                  elapsed_s * of_all, gigabytes((double)space->memory_max),
-                  murk_scratch_folder(),
+                  "%.0f candidates and %zu photons take about %.3g GB and "
+                  "%.2g s to compute: %.3g GB in memory, the rest in a scratch "
+                  "file in %s, which can take %.3g GB",
+                  here, problem->photons, gigabytes(bytes), elapsed_s * of_all,
+                  gigabytes((double)space->memory_max), murk_scratch_folder(),
                   gigabytes(murk_scratch_file_left(space->file)));
     }
     return status;
@@ -339,12 +344,9 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     /* Fill, and merge. */
     status = murk_layout_init(&matrix->layout, problem, true, err);
     if (!status) {
-        uint64_t bytes_max = max_possible(&matrix->layout, problem->candidates);
-        if (is_distributed(problem)) {
-            matrix->is_distributed = true;
-            bytes_max = max_possible(&matrix->layout,
-                                     murk_ranks_share(problem->candidates));
-        }
+        matrix->is_distributed = is_distributed(problem);
+        const uint64_t bytes_max =
+            max_possible(&matrix->layout, share_max(matrix));
         murk_row_space_init(matrix->space, bytes_max, memory_bytes);
         status = fill(matrix, problem, bytes_max > memory_bytes, hash, err);
     }
@@ -361,12 +363,9 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     if (matrix->is_distributed) {
         status = murk_ranks_sum(&matrix->bytes, 1, false, status, err);
     }
-    if (!status && matrix->is_distributed) {
-        matrix->fetched =
-            murk_fetched_rows_create((size_t)max_possible(&matrix->layout, 1));
-        if (!matrix->fetched) {
-            status = murk_no_memory(err, "", "for the coverage matrix");
-        }
+    if (matrix->is_distributed) {
+        status = murk_fetched_rows_create(&matrix->fetched, matrix->row,
+                                          matrix->candidates, status, err);
     }
     if (!status) {
         *out = matrix;

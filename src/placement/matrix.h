@@ -51,6 +51,15 @@ static inline const murk_row *murk_matrix_row(const murk_matrix *matrix,
     return row;
 }
 
+/* The row of any candidate of a distributed matrix (murk_fetched_rows_get()).
+ * Collective. */
+static inline murk_row murk_matrix_fetch(const murk_matrix *matrix,
+                                         size_t candidate)
+{
+    return murk_fetched_rows_get(matrix->fetched, matrix->row, matrix->space,
+                                 candidate);
+}
+
 /* murk_matrix_create() with an explicit choice. */
 murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
                              uint64_t memory_bytes, murk_merging merging,

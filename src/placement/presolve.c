@@ -13,10 +13,6 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* The number of pairs grows with the square. Beyond this many candidates the
- * comparisons take longer than the evaluations that they save. */
-#define CANDIDATES_MAX 10000
-
 typedef struct presolving {
     const murk_matrix *matrix;
     const murk_constraint_set *set;
@@ -92,23 +88,29 @@ static bool begin_candidate(const murk_matrix *matrix, uint32_t candidate,
         word) {
         return false;
     }
-    const murk_row row =
-        murk_fetched_rows_get(matrix->fetched, matrix->row, candidate);
+    const murk_row row = murk_matrix_fetch(matrix, candidate);
     murk_cover_clear(cover, &matrix->layout);
     murk_cover_add(cover, &matrix->layout, &row);
     return !murk_interrupted();
 }
+
+/* Candidates that a thread compares at once. */
+#define CANDIDATES_AT_ONCE 64
 
 typedef struct marking {
     presolving *p;
     uint32_t a;
 } marking;
 
-static void mark_one(void *context, unsigned worker, uint64_t batch)
+static void mark_some(void *context, unsigned worker, uint64_t batch)
 {
     const marking *m = context;
+    const uint64_t n = m->p->matrix->candidates;
+    const uint64_t first = m->a + 1 + batch * CANDIDATES_AT_ONCE;
     (void)worker;
-    compare(m->p, &m->p->cover[0], m->a, m->a + 1 + (uint32_t)batch);
+    for (uint64_t b = first; b < n && b < first + CANDIDATES_AT_ONCE; ++b) {
+        compare(m->p, &m->p->cover[0], m->a, (uint32_t)b);
+    }
 }
 
 static void mark_by_ranks(presolving *p, unsigned threads)
@@ -118,7 +120,9 @@ static void mark_by_ranks(presolving *p, unsigned threads)
         marking m = {p, a};
         if (begin_candidate(p->matrix, p->order[a], is_dominated(p, a),
                             &p->cover[0])) {
-            murk_pool_run_workers(threads, n - a - 1, mark_one, &m);
+            murk_pool_run_workers(
+                threads, (n - a + CANDIDATES_AT_ONCE - 2) / CANDIDATES_AT_ONCE,
+                mark_some, &m);
         }
     }
 }
@@ -146,7 +150,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     for (size_t j = 0; j < n; ++j) {
         dominator[j] = (uint32_t)j;
     }
-    if (n > CANDIDATES_MAX) {
+    if (n > MURK_PRESOLVE_CANDIDATES_MAX) {
         return MURK_OK;
     }
     murk_status status = MURK_OK;
@@ -225,7 +229,7 @@ murk_status murk_presolve_many(bool *is_dropped, const murk_matrix *matrix,
                                murk_error *err)
 {
     const size_t n = matrix->candidates;
-    if (n > CANDIDATES_MAX || needed >= n) {
+    if (n > MURK_PRESOLVE_CANDIDATES_MAX || needed >= n) {
         return MURK_OK;
     }
     murk_cover cover = {0};

@@ -15,8 +15,10 @@
  * candidate j, or j itself if there is none. Of equal candidates the first one
  * is kept. With constraints (set NULL: none) a candidate that a feasible plan
  * may still need counts as undominated (murk_constraint_set_may_drop). With
- * more than 10,000 candidates nothing is compared, and
- * every candidate is the dominator of itself. Fails with MURK_NO_MEMORY. */
+ * more than MURK_PRESOLVE_CANDIDATES_MAX candidates nothing is compared, and
+ * every candidate is the dominator of itself. Both functions are collective
+ * with a distributed matrix. Fails with MURK_NO_MEMORY, or with the failure of
+ * another rank. */
 murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
                           const murk_constraint_set *set, const uint32_t *order,
                           unsigned threads, murk_error *err);
@@ -24,7 +26,7 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
 /* The same if one dominator is not enough: is_dropped, all false at first,
  * marks each candidate that is dominated by at least `needed` kept candidates
  * earlier in the order. Nothing is dropped with more than
- * 10,000 candidates, or if `needed` is not below their
+ * MURK_PRESOLVE_CANDIDATES_MAX candidates, or if `needed` is not below their
  * number. A dominator outside the plan can take
  * the place of a dropped candidate. If `needed` is the size of the plan, there
  * always is such a dominator; if it is the number of entries that count, a

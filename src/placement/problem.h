@@ -116,6 +116,11 @@ static inline size_t murk_problem_layers(const murk_problem *problem)
     return problem->redundancy > 1 ? problem->redundancy : 1;
 }
 
+/* With more candidates, rows are not compared in pairs (placement/presolve.h).
+ * The number of pairs grows with the square: beyond so many candidates the
+ * comparisons take longer than the evaluations that they save. */
+#define MURK_PRESOLVE_CANDIDATES_MAX 10000
+
 /* Ranks (base/ranks.h) distribute a matrix of so many pairs of candidate and
  * photon: each rank keeps the rows that it has computed. A search over fewer
  * pairs takes a second or two, and exchanges would take as long (measured with

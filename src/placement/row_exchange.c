@@ -167,79 +167,125 @@ murk_status murk_row_exchange(murk_row *row, size_t candidates,
     return status;
 }
 
-/* A queue of places; the row that was fetched first leaves first. Each place
- * has memory for the largest row, so that fetching a row cannot fail in one
- * rank alone after the exchange. */
+/* Places for rows, of which the one that was asked for least recently is filled
+ * again. Each has memory for the largest row, so that fetching a row cannot
+ * fail in one rank alone after the exchange. */
+typedef struct fetched_place {
+    size_t candidate;   /* SIZE_MAX: empty */
+    uint64_t last_used; /* number of the call */
+    murk_row row;
+    void *memory; /* NULL until the place is filled */
+} fetched_place;
+
 struct murk_fetched_rows {
-    size_t places, next, row_bytes;
-    size_t *candidate; /* [places]; SIZE_MAX: the place is empty */
-    murk_row *row;     /* [places] */
-    void **memory;     /* [places] blocks; NULL until the place is taken */
+    size_t places, row_bytes;
+    uint64_t calls;
+    fetched_place *place; /* [places] */
 };
 
-murk_fetched_rows *murk_fetched_rows_create(size_t row_bytes)
+/* The size of the largest row of any rank. */
+static murk_status largest_row(size_t *bytes, const murk_row *row,
+                               size_t candidates, murk_status status,
+                               murk_error *err)
 {
+    const unsigned ranks = murk_ranks_count();
+    uint64_t *of_rank = calloc(ranks, sizeof *of_rank);
+    if (!status && !of_rank) {
+        status = murk_no_memory(err, "", "for the coverage matrix");
+    }
+    for (size_t j = 0; j < candidates && !status; ++j) {
+        uint64_t *own = &of_rank[murk_ranks_number()];
+        *own = murk_row_is_own(j) && row[j].memory_bytes > *own
+                   ? row[j].memory_bytes
+                   : *own;
+    }
+    status = murk_ranks_complete(of_rank, ranks * sizeof *of_rank, status, err);
+    *bytes = 0;
+    for (unsigned r = 0; r < ranks && !status; ++r) {
+        *bytes = of_rank[r] > *bytes ? (size_t)of_rank[r] : *bytes;
+    }
+    free(of_rank);
+    return status;
+}
+
+murk_status murk_fetched_rows_create(murk_fetched_rows **out,
+                                     const murk_row *row, size_t candidates,
+                                     murk_status status, murk_error *err)
+{
+    size_t row_bytes;
+    status = largest_row(&row_bytes, row, candidates, status, err);
+    if (status) {
+        return status;
+    }
+    /* As many places as the memory holds rows, within limits. */
     const size_t fits = FETCHED_BYTES / (row_bytes + 1);
     const size_t places = fits < FETCHED_MIN   ? FETCHED_MIN
                           : fits > FETCHED_MAX ? FETCHED_MAX
                                                : fits;
     murk_fetched_rows *f = calloc(1, sizeof *f);
-    if (f) {
-        *f = (murk_fetched_rows){.places = places,
-                                 .row_bytes = row_bytes,
-                                 .candidate =
-                                     calloc(places, sizeof *f->candidate),
-                                 .row = calloc(places, sizeof *f->row),
-                                 .memory = calloc(places, sizeof *f->memory)};
-    }
-    if (!f || !f->candidate || !f->row || !f->memory) {
-        murk_fetched_rows_destroy(f);
-        return NULL;
+    fetched_place *place = calloc(places, sizeof *place);
+    if (!f || !place) {
+        free(f);
+        free(place);
+        return murk_no_memory(err, "", "for the coverage matrix");
     }
     for (size_t k = 0; k < places; ++k) {
-        f->candidate[k] = SIZE_MAX;
+        place[k].candidate = SIZE_MAX;
     }
-    return f;
+    *f = (murk_fetched_rows){
+        .places = places, .row_bytes = row_bytes, .place = place};
+    *out = f;
+    return MURK_OK;
 }
 
 void murk_fetched_rows_destroy(murk_fetched_rows *fetched)
 {
     if (fetched) {
-        for (size_t k = 0; fetched->memory && k < fetched->places; ++k) {
-            free(fetched->memory[k]);
+        for (size_t k = 0; k < fetched->places; ++k) {
+            free(fetched->place[k].memory);
         }
-        free(fetched->memory);
-        free(fetched->row);
-        free(fetched->candidate);
+        free(fetched->place);
         free(fetched);
     }
 }
 
-/* Exchanges one row, into the next place. */
-static murk_status fetch(murk_fetched_rows *f, const murk_row *row,
+/* Fetches a row into a place, which stays as it is after a failure. */
+static murk_status fetch(const murk_fetched_rows *f, fetched_place *to,
+                         const murk_row *row, murk_row_space *space,
                          size_t candidate, murk_error *err)
 {
     char *bytes = NULL;
     size_t size = 0;
     murk_gathered all = {0};
-    void **memory = &f->memory[f->next];
+    row_head head = {.candidate = 0};
     murk_status status = murk_interrupt_check(err);
     /* Memory for the row, in all ranks. */
-    if (!status && !*memory) {
-        *memory = murk_aligned_zeros(f->row_bytes);
-        status = *memory ? MURK_OK
-                         : murk_no_memory(err, "", "for the coverage matrix");
+    if (!status && !to->memory) {
+        to->memory = murk_aligned_zeros(f->row_bytes);
+        status = to->memory
+                     ? MURK_OK
+                     : murk_no_memory(err, "", "for the coverage matrix");
     }
     /* The rank that owns the row gives it. */
     if (!status) {
+        murk_row_space_read(space, &row[candidate]);
         status = pack(&bytes, &size, row, candidate, candidate + 1, err);
     }
     status = murk_ranks_gather(&all, bytes, size, status, err);
     if (!status) {
-        row_head head;
-        memcpy(&head, all.bytes, sizeof head);
-        f->row[f->next] = received(&head, all.bytes + sizeof head, *memory);
-        f->candidate[f->next] = candidate;
+        size = all.begin[murk_ranks_count()];
+        memcpy(&head, all.bytes, size < sizeof head ? size : sizeof head);
+        if (size != sizeof head + head.bytes || head.candidate != candidate ||
+            head.bytes > f->row_bytes) {
+            status = murk_ranks_agree(
+                murk_fail(err, MURK_RUN_FAILED, "",
+                          "ranks ask for different rows of the coverage "
+                          "matrix: do their machines differ?"),
+                err);
+        } else {
+            to->row = received(&head, all.bytes + sizeof head, to->memory);
+            to->candidate = candidate;
+        }
     }
     murk_gathered_release(&all);
     free(bytes);
@@ -247,19 +293,23 @@ static murk_status fetch(murk_fetched_rows *f, const murk_row *row,
 }
 
 murk_row murk_fetched_rows_get(murk_fetched_rows *fetched, const murk_row *row,
-                               size_t candidate)
+                               murk_row_space *space, size_t candidate)
 {
     murk_error err;
+    fetched_place *oldest = &fetched->place[0];
+    ++fetched->calls;
     for (size_t k = 0; k < fetched->places; ++k) {
-        if (fetched->candidate[k] == candidate) {
-            return fetched->row[k];
+        fetched_place *p = &fetched->place[k];
+        if (p->candidate == candidate) {
+            p->last_used = fetched->calls;
+            return p->row;
         }
+        oldest = p->last_used < oldest->last_used ? p : oldest;
     }
     /* The failure is final, and murk_interrupted() tells of it. */
-    if (fetch(fetched, row, candidate, &err)) {
+    if (fetch(fetched, oldest, row, space, candidate, &err)) {
         return (murk_row){.kind = MURK_ROW_CLEAR_LIST};
     }
-    const murk_row found = fetched->row[fetched->next];
-    fetched->next = (fetched->next + 1) % fetched->places;
-    return found;
+    oldest->last_used = fetched->calls;
+    return oldest->row;
 }

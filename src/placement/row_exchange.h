@@ -21,15 +21,18 @@ murk_status murk_row_exchange(murk_row *row, size_t candidates,
 /* The rows that were fetched last, the same ones in all ranks. */
 typedef struct murk_fetched_rows murk_fetched_rows;
 
-/* row_bytes: the size of a row, at most. NULL when out of memory. */
-murk_fetched_rows *murk_fetched_rows_create(size_t row_bytes);
+/* For row[candidates], of which each rank has those of its own candidates.
+ * Collective. Fails with MURK_NO_MEMORY or the failure of a rank. */
+murk_status murk_fetched_rows_create(murk_fetched_rows **out,
+                                     const murk_row *row, size_t candidates,
+                                     murk_status status, murk_error *err);
 void murk_fetched_rows_destroy(murk_fetched_rows *fetched); /* accepts NULL */
 
-/* The row of a candidate, of which row[candidate] has the entries in the rank
- * that owns the row. Collective: all ranks fetch the same rows in the same
- * order. The arrays stay valid until the next call. After a failure of any rank
- * (murk_interrupted()) the row has no entries. */
+/* The row of a candidate, which lies in `space`; row[candidate] has the entries
+ * in the rank that owns the row. Collective: all ranks fetch the same rows in
+ * the same order. The arrays stay valid until the next call. After a failure of
+ * any rank (murk_interrupted()) the row has no entries. */
 murk_row murk_fetched_rows_get(murk_fetched_rows *fetched, const murk_row *row,
-                               size_t candidate);
+                               murk_row_space *space, size_t candidate);
 
 #endif

@@ -150,8 +150,9 @@ static void run_shared(murk_starts *t, size_t wave)
 }
 
 /* The number of searches, and of the threads of each. If rows are asked of the
- * problem, and for long scans, threads share each scan; so they do if searches
- * share the passes. Otherwise each thread makes a start of its own. */
+ * problem or of other ranks, which is done by one thread, and for long scans,
+ * threads share each scan; so they do if searches share the passes. Otherwise
+ * each thread makes a start of its own. */
 static void choose_searches(murk_starts *t, const murk_evaluator *evaluator,
                             unsigned *searches, unsigned *threads)
 {

@@ -140,12 +140,14 @@ def results_are_the_same(folder, room, study):
     same(folder, "place the target", ["place", room, *place("detection: independent"), "--target", "0.5"], ONE)
     same(folder, "place in a flat", ["place", "scenes/paper-room.yaml", "--store", str(1500 * SIZE)], ONE)
     # Pairs of candidates and photons enough for ranks to keep their own rows.
-    many = ["place", room, *emit(1500), "--set", "sensors.candidates.grid.size=[30, 24, 15]"]
+    many = ["place", room, *emit(2400), "--set", "sensors.candidates.grid.size=[30, 24, 15]"]
     same(folder, "many: best", [*many], SOME)
     for name, value in (("greedy", "method: greedy"), ("spoq", "method: spoq, restarts: 2"),
                         ("at least two", "at_least: 2"), ("by memory", "memory_mb: 20"), ("worst", "over: worst, "
                         "method: greedy")):
         same(folder, f"many: {name}", [*many, *place(value)], ONE)
+    same(folder, "many: compared in pairs", ["place", room, *emit(4000), "--set",
+                                             "sensors.candidates.grid.size=[24, 20, 12]"], ONE)
     same(folder, "many: the target", [*many, *place("detection: independent, method: greedy"), "--target", "0.3"], ONE)
     same(folder, "place repeated", ["place", room, *emit(3000), "--repeat", "4"], SOME)
     # Seed 11 misses the target.
@@ -318,10 +320,13 @@ def dying_ranks(folder, room):
              "sensors.candidates.grid.size=[40,40,20]"]
     search = ["place", room, "--emit", "5000", "--count", "14", "--set", "placement={detection: independent, "
               "nodes: 1e15}"]
+    divided = ["place", room, "--emit", "3000", "--count", "8", "--set", "sensors.candidates.grid.size=[30, 24, 15]",
+               "--set", "placement={nodes: 1e15}"]
     for words, name, rank, number in ((trace, "trace", 1, signal.SIGKILL), (trace, "trace", 0, signal.SIGKILL),
                                       (sense, "sense", 2, signal.SIGKILL), (search, "place", 1, signal.SIGKILL),
                                       (search, "place", 0, signal.SIGKILL), (trace, "trace", None, signal.SIGINT),
                                       (sense, "sense", None, signal.SIGTERM), (search, "place", None, signal.SIGINT),
+                                      (divided, "place", 1, signal.SIGKILL), (divided, "place", None, signal.SIGINT),
                                       (trace, "trace", 1, signal.SIGTERM), (trace, "trace", 0, signal.SIGINT)):
         what = f"{number.name} in {name}, rank {rank}"
         long = Long(out, words)

@@ -5,6 +5,7 @@
 #include "thread_ranks.h"
 
 #include "base/host_make.h"
+#include "base/interrupt.h"
 
 #include <assert.h>
 #include <pthread.h>
@@ -23,6 +24,8 @@ typedef struct team {
     uint64_t size[THREAD_RANKS_MAX];
     murk_status status[THREAD_RANKS_MAX];
     _Atomic uint64_t next;
+    unsigned stop_at; /* the comparison in which rank 1 is asked to stop; 0:
+                       * never */
     thread_ranks_work work;
     void *context;
 } team;
@@ -30,7 +33,8 @@ typedef struct team {
 typedef struct member {
     team *team;
     murk_ranks ranks;
-    murk_status failed; /* of any rank */
+    unsigned comparisons; /* so far */
+    murk_status failed;   /* of any rank */
     murk_error error;
     murk_status *status; /* of the end */
     murk_error *err;
@@ -46,6 +50,9 @@ static murk_status agree(void *context, murk_status status, murk_error *err)
     member *m = context;
     team *t = m->team;
     const unsigned number = m->ranks.number;
+    if (++m->comparisons == t->stop_at && number == 1) {
+        murk_interrupt_request();
+    }
     if (!m->failed) {
         t->status[number] = status;
         t->published[number] = err;
@@ -161,14 +168,18 @@ static void *live(void *context)
     return NULL;
 }
 
-thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
-                                  thread_ranks_work work, void *context)
+static thread_ranks_end run(unsigned count, thread_ranks_defect defect,
+                            unsigned stop_at, thread_ranks_work work,
+                            void *context)
 {
     thread_ranks_end end = {{MURK_OK}, {{0}}};
     member ranks[THREAD_RANKS_MAX] = {{.team = NULL}};
     pthread_t thread[THREAD_RANKS_MAX];
-    team t = {
-        .count = count, .defect = defect, .work = work, .context = context};
+    team t = {.count = count,
+              .defect = defect,
+              .stop_at = stop_at,
+              .work = work,
+              .context = context};
     assert(count > 0 && count <= THREAD_RANKS_MAX);
     pthread_barrier_init(&t.barrier, NULL, count);
     for (unsigned r = 0; r < count; ++r) {
@@ -195,6 +206,18 @@ thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
     }
     pthread_barrier_destroy(&t.barrier);
     return end;
+}
+
+thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
+                                  thread_ranks_work work, void *context)
+{
+    return run(count, defect, 0, work, context);
+}
+
+thread_ranks_end thread_ranks_run_stopped(unsigned count, unsigned stop_at,
+                                          thread_ranks_work work, void *context)
+{
+    return run(count, THREAD_RANKS_SOUND, stop_at, work, context);
 }
 
 bool thread_ranks_succeeded(const thread_ranks_end *end, unsigned count)

@@ -32,6 +32,12 @@ typedef struct thread_ranks_end {
 thread_ranks_end thread_ranks_run(unsigned count, thread_ranks_defect defect,
                                   thread_ranks_work work, void *context);
 
+/* The same, and rank 1 is asked to stop when the ranks compare their statuses
+ * for the time number stop_at, from 1 on. */
+thread_ranks_end thread_ranks_run_stopped(unsigned count, unsigned stop_at,
+                                          thread_ranks_work work,
+                                          void *context);
+
 /* True if all ranks ended with MURK_OK. */
 bool thread_ranks_succeeded(const thread_ranks_end *end, unsigned count);
 

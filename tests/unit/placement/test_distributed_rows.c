@@ -4,7 +4,6 @@
  * with merged photons. A rank that loses another's gains, or fetches a row with
  * a wrong bit, is noticed, and a request to stop in one rank ends all. Seeds
  * are fixed. */
-#include "base/interrupt.h"
 #include "base/log.h"
 #include "check.h"
 #include "made_up.h"
@@ -36,7 +35,6 @@ typedef struct job {
     size_t candidates;
     unsigned threads;
     uint64_t memory_bytes;
-    bool is_stopped; /* rank 1 is asked to stop before the search */
     /* of each rank */
     made_up *made_up[THREAD_RANKS_MAX];
     murk_matrix *matrix[THREAD_RANKS_MAX];
@@ -123,9 +121,6 @@ static murk_status place(void *context, unsigned number, murk_error *err)
                                           j->search.merging, err);
     if (!status) {
         j->has_own_rows_alone[number] = owns_its_rows_alone(*matrix);
-    }
-    if (j->is_stopped && number == 1) {
-        murk_interrupt_request();
     }
     return status ? status
                   : find(&j->plan[number], problem, *matrix, &j->search, err);
@@ -266,22 +261,30 @@ static void test_a_wrong_exchange_is_noticed(void)
     CHECK(v.has_succeeded && !v.same_plans);
 }
 
-/* Other ranks are then in the middle of the search, in another function. */
+/* Rank 1 is asked to stop in exchanges from the first one on, further and
+ * further into the search, so that the others are in the middle of any
+ * function. */
 static void test_a_stopped_rank_ends_all(void)
 {
     for (size_t k = 0; k < SEARCHES; ++k) {
-        job j = {.search = searches[k],
-                 .share = 0.15,
-                 .candidates = CANDIDATES,
-                 .threads = 2,
-                 .memory_bytes = UINT64_MAX,
-                 .is_stopped = true};
-        const thread_ranks_end end =
-            thread_ranks_run(3, THREAD_RANKS_SOUND, place, &j);
-        for (unsigned r = 0; r < 3; ++r) {
-            CHECK(end.status[r] == MURK_INTERRUPTED && !j.plan[r].sensor);
+        bool has_ended = false;
+        unsigned stopped = 0;
+        for (unsigned at = 1; !has_ended; at += 1 + at / 2 + (unsigned)k % 3) {
+            job j = {.search = searches[k],
+                     .share = 0.15,
+                     .candidates = CANDIDATES,
+                     .threads = 1,
+                     .memory_bytes = UINT64_MAX};
+            const thread_ranks_end end =
+                thread_ranks_run_stopped(2, at, place, &j);
+            has_ended = thread_ranks_succeeded(&end, 2);
+            stopped += !has_ended;
+            for (unsigned r = 0; r < 2 && !has_ended; ++r) {
+                CHECK(end.status[r] == MURK_INTERRUPTED && !j.plan[r].sensor);
+            }
+            release(&j, 2);
         }
-        release(&j, 3);
+        CHECK(stopped >= 8); /* a hundred exchanges and more */
     }
 }
 
