@@ -5,7 +5,6 @@
 #include "base/host.h"
 #include "mpi/mpi_ranks.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* Run before the constructors of libraries, one of which starts threads. */
@@ -17,10 +16,7 @@ int main(int argc, char **argv)
     murk_mpi *mpi = murk_mpi_begin(&argc, &argv);
     murk_host_now()->ranks = murk_mpi_ranks(mpi);
     const int code = murk_program(argc, argv);
-    const bool is_first = murk_ranks_number() == 0;
     murk_host_now()->ranks = NULL;
     murk_mpi_end(mpi);
-    /* All ranks have the same code. mpirun ends all processes as soon as one
-     * returns a code that is not 0, and may lose the message of rank 0 then. */
-    return is_first ? code : 0;
+    return code;
 }
