@@ -7,6 +7,7 @@
 #include "app/show.h"
 #include "base/file.h"
 #include "base/print.h"
+#include "base/shard.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -167,9 +168,9 @@ murk_status murk_part_read(char ***argv, int *argc, char **text,
     line = status ? NULL : next_line(&at);
     const char *made_by =
         line && strncmp(line, "version ", 8) == 0 ? line + 8 : "?";
-    if (!status && strcmp(made_by, version) != 0) {
-        status = murk_fail(err, MURK_BAD_VALUE, path,
-                           "made by murk %s, this is %s", made_by, version);
+    if (!status) {
+        status =
+            murk_shard_check_version(made_by, SIZE_MAX, version, path, err);
     }
     *argc = 0;
     while (!status && (line = next_line(&at))) {

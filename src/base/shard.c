@@ -4,6 +4,7 @@
 #include "base/log.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* Bytes of the names of missing parts in a warning: some twenty names. */
 #define NAMES_SIZE 128
@@ -19,6 +20,17 @@ murk_status murk_shard_check(murk_shard shard, murk_error *err)
                : murk_fail(err, MURK_BAD_VALUE, "shard",
                            "%u of %u, must be 1 of 1 to %d of %d", shard.number,
                            shard.count, MURK_SHARDS_MAX, MURK_SHARDS_MAX);
+}
+
+murk_status murk_shard_check_version(const char *made_by, size_t size,
+                                     const char *version, const char *path,
+                                     murk_error *err)
+{
+    return strncmp(made_by, version, size) == 0
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, path,
+                           "made by murk %.*s, this is %s",
+                           (int)strnlen(made_by, size), made_by, version);
 }
 
 void murk_shards_warn_of_missing(bool (*has_part)(const void *of,

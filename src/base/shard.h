@@ -6,6 +6,7 @@
 #include "base/status.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #define MURK_SHARDS_MAX 100000 /* of a run; a choice */
@@ -18,6 +19,13 @@ typedef struct murk_shard {
 /* Fails with MURK_BAD_VALUE, at the place "shard", if there is no such shard.
  */
 murk_status murk_shard_check(murk_shard shard, murk_error *err);
+
+/* Fails with MURK_BAD_VALUE unless `version` of murk made the part in the file
+ * `path`. made_by: the version in the file, of `size` characters at most, which
+ * need not end with '\0'. */
+murk_status murk_shard_check_version(const char *made_by, size_t size,
+                                     const char *version, const char *path,
+                                     murk_error *err);
 
 /* Warns of the parts for which has_part(of, number) is false, of which the
  * first few are named. `now` says what happens to their work. */

@@ -253,15 +253,12 @@ static murk_status check_text(const part_file *file, const char *name,
 static murk_status check_owner(const reading *r, const part_file *file,
                                const facts *f, murk_error *err)
 {
-    if (strncmp(f->version, murk_host_version(), sizeof f->version) != 0) {
-        return murk_fail(
-            err, MURK_BAD_VALUE, file->path, "made by murk %.*s, this is %s",
-            (int)sizeof f->version, f->version, murk_host_version());
-    }
-    /* The scene, the files that it names, and the plan; then the number of runs
-     * and of parts. */
-    murk_status status =
-        check_text(file, "scene", r->texts.scene, "scene", err);
+    /* The version, the scene, the files that it names, and the plan; then the
+     * number of runs and of parts. */
+    murk_status status = murk_shard_check_version(
+        f->version, sizeof f->version, murk_host_version(), file->path, err);
+    status = status ? status
+                    : check_text(file, "scene", r->texts.scene, "scene", err);
     if (!status) {
         status = check_text(file, "files", r->texts.files,
                             "file that the scene names", err);

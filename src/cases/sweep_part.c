@@ -164,10 +164,10 @@ static murk_status read_head(part *p, const murk_sweep *sweep, murk_error *err)
         return bad_part(p, "the mark \"" MARK "\" is missing", err);
     }
     const char *version = next_fact(p, "version");
-    if (strcmp(version, desc->version) != 0) {
-        return murk_fail(err, MURK_BAD_VALUE, p->path,
-                         "made by murk %s, this is %s",
-                         version[0] ? version : "?", desc->version);
+    const murk_status status = murk_shard_check_version(
+        version[0] ? version : "?", SIZE_MAX, desc->version, p->path, err);
+    if (status) {
+        return status;
     }
     /* The study, the number of the part, and the number of rows. */
     p->has_other_study =

@@ -119,15 +119,13 @@ static murk_status check_owner(const part *p, const murk_stage *stage,
     if (!scene || !key) {
         return bad_part(p->path, "the scene is missing", err);
     }
-    if (strncmp(p->facts.version, murk_host_version(),
-                sizeof p->facts.version) != 0) {
-        return murk_fail(err, MURK_BAD_VALUE, p->path,
-                         "made by murk %.*s, this is %s",
-                         (int)sizeof p->facts.version, p->facts.version,
-                         murk_host_version());
+    murk_status status =
+        murk_shard_check_version(p->facts.version, sizeof p->facts.version,
+                                 murk_host_version(), p->path, err);
+    if (!status) {
+        status = murk_lightmap_check_text(scene, stage->scene->resolved,
+                                          "scene", p->path, err);
     }
-    murk_status status = murk_lightmap_check_text(scene, stage->scene->resolved,
-                                                  "scene", p->path, err);
     if (!status) {
         status = murk_lightmap_check_text(key, stage->light_key, "light",
                                           p->path, err);
