@@ -53,6 +53,12 @@ static size_t share_max(const murk_matrix *matrix)
     return (matrix->candidates + ranks - 1) / ranks;
 }
 
+/* What the candidates of a message are. */
+static const char *of_rank(const murk_matrix *matrix)
+{
+    return matrix->is_distributed ? " of a rank" : "";
+}
+
 /* Upper bound on the bytes of the rows, for any entries. */
 static uint64_t max_possible(const murk_layout *layout, size_t candidates)
 {
@@ -126,15 +132,15 @@ static murk_status check_size(const fill_task *f, double bytes, murk_error *err)
     return bytes - memory <= left
                ? MURK_OK
                : murk_fail(err, MURK_RUN_FAILED, murk_scratch_folder(),
-                           "the coverage matrix of %zu candidates and %zu "
+                           "the coverage matrix of %zu candidates%s and %zu "
                            "photons takes about %.3g GB: %.3g GB in memory, "
                            "and the rest in a scratch file in this folder, "
                            "which can take %.3g GB; TMPDIR may name another "
                            "folder, and fewer candidates or photons, or "
                            "`knowledge: unknown`, need less",
-                           share_max(f->matrix), f->problem->photons,
-                           gigabytes(bytes), gigabytes(memory),
-                           gigabytes(left));
+                           share_max(f->matrix), of_rank(f->matrix),
+                           f->problem->photons, gigabytes(bytes),
+                           gigabytes(memory), gigabytes(left));
 }
 
 /* Computes a sample of the rows, and estimates the matrix. If memory cannot
@@ -161,11 +167,12 @@ static murk_status forecast(fill_task *f, murk_error *err)
     const murk_status status = check_size(f, bytes, err);
     if (!status) {
         murk_note("coverage matrix",
-                  "%.0f candidates and %zu photons take about %.3g GB and "
+                  "%.0f candidates%s and %zu photons take about %.3g GB and "
                   "%.2g s to compute: %.3g GB in memory, the rest in a scratch "
                   "file in %s, which can take %.3g GB",
-                  here, problem->photons, gigabytes(bytes), elapsed_s * of_all,
-                  gigabytes((double)space->memory_max), murk_scratch_folder(),
+                  here, of_rank(f->matrix), problem->photons, gigabytes(bytes),
+                  elapsed_s * of_all, gigabytes((double)space->memory_max),
+                  murk_scratch_folder(),
                   gigabytes(murk_scratch_file_left(space->file)));
     }
     return status;

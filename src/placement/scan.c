@@ -231,10 +231,10 @@ static uint64_t larger(uint64_t a, uint64_t b)
  * before together (a choice). */
 #define FIRST_AHEAD 1024
 
-/* With a distributed matrix every evaluation is an exchange, which takes longer
- * than the gains of a chunk. So the gains of more candidates by rank, at least
- * up to number `end`, are computed and exchanged at once. Some may be in vain;
- * only those that the scan takes are counted. */
+/* With a distributed matrix every evaluation is an exchange. So that a scan
+ * makes few of them, the gains of more candidates in the order of the ranking,
+ * at least up to number `end`, are computed and exchanged at once. Some may be
+ * in vain; only those that the scan takes are counted. */
 static void evaluate_ahead(murk_gain_scan *s, const murk_ranked *ranking,
                            size_t end)
 {

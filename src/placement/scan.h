@@ -37,7 +37,7 @@ typedef struct murk_gain_scan {
                              were computed ahead in this scan; NULL: none are */
     uint32_t *ahead_list; /* [candidates] scratch */
     uint64_t *ahead_gain; /* [candidates] scratch */
-    size_t ahead_end;     /* of the candidates by rank that have such gains */
+    size_t ahead_end;     /* so many of the ranking have such gains */
     uint32_t *tie; /* [ties] the candidates with the largest gain, increasing */
     size_t ties;
     uint32_t *shuffle;    /* [candidates] */

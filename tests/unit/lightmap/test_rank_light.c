@@ -130,7 +130,7 @@ static void test_ranks_give_the_light_of_one(const char *text,
     for (size_t c = 0; c < sizeof counts / sizeof *counts; ++c) {
         for (j.threads = 1; j.threads <= 2; ++j.threads) {
             bool same_sums, same_records;
-            j.in_first = j.threads == 2;
+            j.in_first = j.threads == 2; /* each way once */
             compare(whole, &j, counts[c], THREAD_RANKS_SOUND, &same_sums,
                     &same_records);
             CHECK(same_sums);

@@ -284,7 +284,7 @@ static void test_a_stopped_rank_ends_all(void)
             }
             release(&j, 2);
         }
-        CHECK(stopped >= 8); /* a hundred exchanges and more */
+        CHECK(stopped >= 8); /* in 40 exchanges and more */
     }
 }
 
