@@ -1,6 +1,8 @@
 /* Memory of the machine as the operating system reports it: /proc/meminfo and
- * the limits and usage of the process. */
+ * the limits and usage of the process and of its control groups. */
 #include "base/machine.h"
+
+#include "base/memory_group.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -40,7 +42,8 @@ double murk_machine_memory_bytes(void)
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
         bytes = fmin(bytes, (double)limit.rlim_cur);
     }
-    return bytes;
+    return fmin(bytes,
+                murk_memory_group_bytes("/proc/self/cgroup", "/sys/fs/cgroup"));
 }
 
 double murk_machine_peak_bytes(void)

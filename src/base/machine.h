@@ -5,9 +5,10 @@
 
 #include <stddef.h>
 
-/* The memory that is available without swapping [bytes]: the smaller of
- * MemAvailable of /proc/meminfo and the limit on the address space of this
- * process. INFINITY if there is neither. */
+/* The memory that is available without swapping [bytes]: the smallest of
+ * MemAvailable of /proc/meminfo, the limit on the address space of this
+ * process, and what its control groups leave (base/memory_group.h). INFINITY if
+ * there is none of these. */
 double murk_machine_memory_bytes(void);
 
 /* The largest resident memory of this process so far [bytes]; NAN if unknown.

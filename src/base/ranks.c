@@ -29,6 +29,12 @@ unsigned murk_ranks_threads(void)
     return ranks ? ranks->threads : 0;
 }
 
+murk_ranks_here murk_ranks_on_machine(void)
+{
+    const murk_ranks *ranks = murk_host_now()->ranks;
+    return ranks ? ranks->here : (murk_ranks_here){.count = 1};
+}
+
 const murk_ranks *murk_ranks_leave(void)
 {
     murk_host *host = murk_host_now();
@@ -50,6 +56,11 @@ void murk_ranks_keep_in_first(bool is_so)
 bool murk_ranks_keeps(void)
 {
     return murk_ranks_number() == 0 || !murk_host_now()->keeps_in_first;
+}
+
+bool murk_ranks_keeps_shared(void)
+{
+    return murk_ranks_keeps() && murk_ranks_on_machine().number == 0;
 }
 
 murk_status murk_ranks_agree(murk_status status, murk_error *err)

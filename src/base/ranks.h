@@ -25,11 +25,19 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* The ranks on the machine of a rank, which can open each other's files in
+ * memory (base/block.h): the rank number of the first of them, how many they
+ * are, and the place of this rank among them, from 0 on. */
+typedef struct murk_ranks_here {
+    unsigned first, count, number;
+} murk_ranks_here;
+
 typedef struct murk_ranks {
     unsigned number; /* 0 .. count - 1; rank 0 prints and writes files */
     unsigned count;
     unsigned threads; /* that a rank has processors for */
-    void *context;    /* passed to the functions */
+    murk_ranks_here here;
+    void *context; /* passed to the functions */
     /* Collective: passes *err of the first rank whose status is not MURK_OK to
      * all ranks, and returns the status of that rank. */
     murk_status (*agree)(void *context, murk_status status, murk_error *err);
@@ -51,7 +59,8 @@ typedef struct murk_ranks {
 /* Of the host of the calling thread; not collective. */
 unsigned murk_ranks_count(void); /* 1 without ranks */
 unsigned murk_ranks_number(void);
-unsigned murk_ranks_threads(void); /* 0 without ranks */
+unsigned murk_ranks_threads(void);           /* 0 without ranks */
+murk_ranks_here murk_ranks_on_machine(void); /* {0, 1, 0} without ranks */
 
 /* Items that are dealt to ranks in turn: how many of n items are those of this
  * rank, the number of the k-th of them, and whether an item is one of them. Not
@@ -78,10 +87,12 @@ void murk_ranks_return(const murk_ranks *ranks);
 
 /* Says whether rank 0 alone needs the results of the work that follows: other
  * ranks then drop what nothing else needs, such as photon records. All ranks
- * must say the same. murk_ranks_keeps(): whether this rank must have results.
- * Not collective. */
+ * must say the same. murk_ranks_keeps(): whether this rank must have results;
+ * murk_ranks_keeps_shared(): whether it must have those that the ranks of a
+ * machine share, which the first of them has. Not collective. */
 void murk_ranks_keep_in_first(bool is_so);
 bool murk_ranks_keeps(void);
+bool murk_ranks_keeps_shared(void);
 
 /* Returns `status`, or the failure of another rank. */
 murk_status murk_ranks_agree(murk_status status, murk_error *err);

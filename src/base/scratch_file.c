@@ -46,7 +46,7 @@ double murk_scratch_free_bytes(void)
                : INFINITY;
 }
 
-static murk_status fail(murk_error *err, int reason)
+murk_status murk_scratch_fail(int reason, murk_error *err)
 {
     return murk_fail(err, MURK_RUN_FAILED, murk_scratch_folder(),
                      "cannot write a scratch file: %s; TMPDIR may name another "
@@ -54,21 +54,20 @@ static murk_status fail(murk_error *err, int reason)
                      strerror(reason));
 }
 
-/* Opens the file and removes the name at once. */
-static int open_nameless(void)
+murk_status murk_scratch_open(int *fd, murk_error *err)
 {
     char path[4096];
     const int length =
         snprintf(path, sizeof path, "%s/murk-XXXXXX", murk_scratch_folder());
     if (length < 0 || (size_t)length >= sizeof path) {
-        errno = ENAMETOOLONG;
-        return -1;
+        return murk_scratch_fail(ENAMETOOLONG, err);
     }
-    const int fd = mkostemp(path, O_CLOEXEC);
-    if (fd >= 0) {
-        (void)unlink(path);
+    *fd = mkostemp(path, O_CLOEXEC);
+    if (*fd < 0) {
+        return murk_scratch_fail(errno, err);
     }
-    return fd;
+    (void)unlink(path);
+    return MURK_OK;
 }
 
 /* Reserves addresses for bytes_max bytes, or for a half, a quarter and so on,
@@ -102,11 +101,14 @@ murk_status murk_scratch_file_create(murk_scratch_file **out,
     if (!file) {
         return murk_no_memory(err, "", "for a scratch file");
     }
-    file->fd = open_nameless();
-    if (file->fd < 0 || !reserve(file, bytes_max)) {
-        const int reason = errno;
+    file->fd = -1;
+    murk_status status = murk_scratch_open(&file->fd, err);
+    if (!status && !reserve(file, bytes_max)) {
+        status = murk_scratch_fail(errno, err);
+    }
+    if (status) {
         murk_scratch_file_destroy(file);
-        return fail(err, reason);
+        return status;
     }
     *out = file;
     return MURK_OK;
@@ -178,7 +180,7 @@ murk_status murk_scratch_file_check(const murk_scratch_file *file,
                                     murk_error *err)
 {
     const int reason = (int)murk_tally_read(&file->error);
-    return reason ? fail(err, reason) : MURK_OK;
+    return reason ? murk_scratch_fail(reason, err) : MURK_OK;
 }
 
 void murk_scratch_file_discard(murk_scratch_file *file, const void *block,

@@ -23,6 +23,13 @@ const char *murk_scratch_folder(void);
  */
 double murk_scratch_free_bytes(void);
 
+/* Opens an empty file in the folder and removes its name at once. The caller
+ * closes *fd. Fails at the folder with MURK_RUN_FAILED. */
+murk_status murk_scratch_open(int *fd, murk_error *err);
+
+/* The failure of a scratch file for a reason as in errno. */
+murk_status murk_scratch_fail(int reason, murk_error *err);
+
 /* Makes an empty file for blocks of bytes_max bytes altogether, for whose
  * addresses it reserves left, as far as the process may have so many. Fails at
  * the folder with MURK_RUN_FAILED, or with MURK_NO_MEMORY. */

@@ -9,8 +9,10 @@
  * before their next exchange. */
 #include "mpi/mpi_ranks.h"
 
+#include "base/block.h"
 #include "base/pool.h"
 
+#include <math.h>
 #include <mpi.h>
 #include <pthread.h>
 #include <sched.h>
@@ -174,23 +176,51 @@ static void restart(void *context)
 
 /* ---- begin and end ---- */
 
-/* The processors of this machine that are for one rank: those that the rank is
- * bound to, or its share of all. */
-static unsigned threads_for_rank(void)
+/* Whether this rank can have the memory of the first rank of the machine: a
+ * container may hide the processes of the others. */
+static bool can_share(MPI_Comm machine, int number)
 {
-    MPI_Comm machine;
-    int ranks = 1;
+    murk_error err;
+    murk_block block = {.is_for_ranks = true};
+    bool can = number > 0 || !murk_block_resize(&block, 1, INFINITY, &err);
+    murk_block_address first = murk_block_address_of(&block);
+    MPI_Bcast(&first, sizeof first, MPI_BYTE, 0, machine);
+    if (number > 0) {
+        can = first.size > 0 && !murk_block_open(&block, &first, &err);
+    }
+    MPI_Barrier(machine);
+    murk_block_release(&block);
+    return can;
+}
+
+/* Finds the ranks of this machine, and the processors that are for this rank:
+ * those that it is bound to, or its share of all. */
+static void find_machine(murk_ranks *ranks)
+{
+    MPI_Comm machine, sharing;
+    int count = 1, number = 0;
     cpu_set_t bound;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL,
                         &machine);
-    MPI_Comm_size(machine, &ranks);
-    MPI_Comm_free(&machine);
-    const unsigned share = murk_pool_processors() / (unsigned)ranks;
+    MPI_Comm_size(machine, &count);
+    MPI_Comm_rank(machine, &number);
+    const unsigned share = murk_pool_processors() / (unsigned)count;
     const unsigned own = sched_getaffinity(0, sizeof bound, &bound) == 0
                              ? (unsigned)CPU_COUNT(&bound)
                              : share;
     const unsigned threads = own < share ? own : share;
-    return threads > 0 ? threads : 1;
+    ranks->threads = threads > 0 ? threads : 1;
+    /* A rank that cannot share memory is by itself. */
+    const bool can = can_share(machine, number);
+    int first = (int)ranks->number;
+    MPI_Comm_split(machine, can ? 0 : number, 0, &sharing);
+    MPI_Comm_size(sharing, &count);
+    MPI_Comm_rank(sharing, &number);
+    MPI_Bcast(&first, 1, MPI_INT, 0, sharing);
+    ranks->here =
+        (murk_ranks_here){(unsigned)first, (unsigned)count, (unsigned)number};
+    MPI_Comm_free(&sharing);
+    MPI_Comm_free(&machine);
 }
 
 murk_mpi *murk_mpi_begin(int *argc, char ***argv)
@@ -213,7 +243,6 @@ murk_mpi *murk_mpi_begin(int *argc, char ***argv)
     /* The table of functions. */
     mpi->ranks = (murk_ranks){.number = (unsigned)number,
                               .count = (unsigned)count,
-                              .threads = threads_for_rank(),
                               .context = mpi,
                               .agree = agree,
                               .sum = sum,
@@ -221,6 +250,7 @@ murk_mpi *murk_mpi_begin(int *argc, char ***argv)
                               .gather = gather,
                               .next = next,
                               .restart = restart};
+    find_machine(&mpi->ranks);
     /* Sums of 128 bits, and the thread that deals items out. */
     MPI_Comm_dup(MPI_COMM_WORLD, &mpi->dealing);
     MPI_Op_create(add_128, 1, &mpi->add_128);

@@ -168,6 +168,15 @@ static void *live(void *context)
     return NULL;
 }
 
+static murk_ranks_here here_of(unsigned count, unsigned rank)
+{
+    const unsigned machines = count > THREAD_RANKS_ONE_MACHINE ? 2 : 1;
+    const unsigned first = rank % machines;
+    return (murk_ranks_here){.first = first,
+                             .count = (count - first + machines - 1) / machines,
+                             .number = rank / machines};
+}
+
 static thread_ranks_end run(unsigned count, thread_ranks_defect defect,
                             unsigned stop_at, thread_ranks_work work,
                             void *context)
@@ -187,6 +196,7 @@ static thread_ranks_end run(unsigned count, thread_ranks_defect defect,
                             .ranks = {.number = r,
                                       .count = count,
                                       .threads = 1,
+                                      .here = here_of(count, r),
                                       .context = &ranks[r],
                                       .agree = agree,
                                       .sum = sum,

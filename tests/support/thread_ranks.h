@@ -1,12 +1,16 @@
 /* Ranks (base/ranks.h) as threads of one process, for tests without MPI. Each
- * rank is a thread that works for a host of its own. A defect makes one
- * exchange slightly wrong, which shows that a test would notice. */
+ * rank is a thread that works for a host of its own. Up to
+ * THREAD_RANKS_ONE_MACHINE ranks count as being on one machine, and of more,
+ * those with even and those with odd numbers as being on two machines. A defect
+ * makes one exchange slightly wrong, which shows that a test would notice. */
 #ifndef MURK_TESTS_THREAD_RANKS_H
 #define MURK_TESTS_THREAD_RANKS_H
 
 #include "base/ranks.h"
 
 #define THREAD_RANKS_MAX 8
+
+#define THREAD_RANKS_ONE_MACHINE 3 /* so many ranks, at most */
 
 typedef enum thread_ranks_defect {
     THREAD_RANKS_SOUND,
