@@ -692,7 +692,8 @@ typedef enum murk_map { MURK_MAP_SURFACE, MURK_MAP_VOLUME } murk_map;
  * less than the number of pairs of a light source and a band with power, if a
  * few photons of a band that are traced beforehand are all lost, or if a
  * forecast says that the records would be more than photons.max_stored or than
- * the memory of the machine holds; with MURK_RUN_FAILED if more than
+ * the memory of the machine and the disk of a scratch file hold; with
+ * MURK_RUN_FAILED if more than
  * photons.max_stored records are stored all the same, if more than 1 % of the
  * photons are lost or if photons.store records would need too many photons;
  * with MURK_INTERRUPTED if the call is cancelled; and as murk_world_create() if

@@ -3,6 +3,7 @@
  * records of each batch in the order of photons, so the lists are merged. */
 #include "lightmap/checkpoint.h"
 
+#include "base/block.h"
 #include "base/file.h"
 #include "base/inputs.h"
 #include "base/log.h"
@@ -55,22 +56,22 @@ void murk_checkpoint_write(murk_checkpoint *c, const murk_stage *stage,
 {
     const size_t n = buffers->surface.n + buffers->volume.n;
     murk_error err = {0};
-    murk_photon *record = malloc((n + 1) * sizeof *record);
+    murk_block merged = {0};
     uint32_t *count = calloc(batches + 1, sizeof *count);
     murk_status status =
-        record && count
-            ? MURK_OK
-            : murk_no_memory(&err, c->path, "for %.3g records", (double)n);
+        count ? murk_block_resize(&merged, n * sizeof(murk_photon),
+                                  murk_block_memory_bytes(), &err)
+              : murk_no_memory(&err, c->path, "for %.3g records", (double)n);
     /* The folder of the results is made by the first checkpoint. */
     if (!status) {
         status = make_folder_of(c->path, &err);
     }
     if (!status) {
-        merge(record, count, buffers);
+        merge(merged.bytes, count, buffers);
         const murk_light_part_content content = {.shard = {1, 1},
                                                  .batches = batches,
                                                  .count = count,
-                                                 .record = record,
+                                                 .record = merged.bytes,
                                                  .records = n,
                                                  .sums = sums};
         status = murk_light_part_write(c->path, &content, stage, &err);
@@ -78,7 +79,7 @@ void murk_checkpoint_write(murk_checkpoint *c, const murk_stage *stage,
     if (status) {
         murk_warn(err.where, "no checkpoint is written: %s", err.text);
     }
-    free(record);
+    murk_block_release(&merged);
     free(count);
     c->last_s = murk_clock_s();
 }

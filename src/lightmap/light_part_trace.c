@@ -4,6 +4,7 @@
  * (photonmap/map_file.h). */
 #include "lightmap/light_part_trace.h"
 
+#include "base/block.h"
 #include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/progress.h"
@@ -12,6 +13,7 @@
 #include "lightmap/rank_exchange.h"
 #include "world/scene_tallies.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* A part that is traced. */
@@ -64,31 +66,34 @@ static size_t wave_batches(const tracing *t)
     return (size_t)(n < MURK_WAVE_BATCHES ? n : MURK_WAVE_BATCHES);
 }
 
-/* Appends the records of a wave of n batches. False when out of memory. */
-static bool append_wave(tracing *t, size_t n)
+/* Appends the records of a wave of n batches. */
+static murk_status append_wave(tracing *t, size_t n, murk_error *err)
 {
     if (t->batches + n > t->capacity) {
         const uint64_t capacity = 2 * t->capacity + MURK_WAVE_BATCHES;
         uint32_t *count = realloc(t->count, capacity * sizeof *count);
         if (!count) {
-            return false;
+            return murk_no_memory(err, "", "for the batches");
         }
         t->count = count;
         t->capacity = capacity;
     }
+    /* The records of each batch, and their number. */
     for (size_t b = 0; b < n; ++b) {
         murk_record_list *buffer = &t->buffers->buffer[b];
-        bool fits = !buffer->is_short_of_memory;
-        for (size_t i = 0; fits && i < buffer->n; ++i) {
-            fits = murk_record_list_put(&t->records, &buffer->photon[i]);
+        murk_status status = buffer->is_short_of_memory
+                                 ? murk_no_memory(err, "", "for a batch")
+                                 : MURK_OK;
+        for (size_t i = 0; i < buffer->n && !status; ++i) {
+            status = murk_record_list_put(&t->records, &buffer->photon[i], err);
         }
-        if (!fits) {
-            return false;
+        if (status) {
+            return status;
         }
         t->count[t->batches++] = (uint32_t)buffer->n;
         buffer->n = 0;
     }
-    return true;
+    return MURK_OK;
 }
 
 static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
@@ -112,10 +117,9 @@ static murk_status trace_wave(tracing *t, size_t n, murk_error *err)
         return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
     }
     /* Keep the records. */
-    if (!append_wave(t, n)) {
-        return murk_no_memory(err, settings->where,
-                              "for more than %.3g stored photons",
-                              (double)t->records.n);
+    const murk_status status = append_wave(t, n, err);
+    if (status) {
+        return status;
     }
     /* With photons.store the last batch may have too many, which merging cuts
      * off. */
@@ -149,7 +153,10 @@ murk_status murk_light_part_trace(const murk_stage *stage, murk_shard shard,
                                   unsigned threads, const char *path,
                                   murk_error *err)
 {
-    tracing t = {.stage = stage, .shard = shard, .threads = threads};
+    tracing t = {.stage = stage,
+                 .shard = shard,
+                 .threads = threads,
+                 .records = {.memory_max = fmax(1, murk_block_memory_bytes())}};
     const murk_emission all = {.stage = stage,
                                .emit = stage->scene->photons.emit};
     /* Check before tracing, and allocate. */
@@ -186,7 +193,7 @@ murk_status murk_light_part_trace(const murk_stage *stage, murk_shard shard,
     murk_record_buffers_destroy(t.buffers);
     murk_ledger_destroy(t.ledger);
     murk_tallies_destroy(t.tallies);
-    free(t.records.photon);
+    murk_record_list_release(&t.records);
     free(t.count);
     return status;
 }

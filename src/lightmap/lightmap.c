@@ -3,17 +3,19 @@
  * become two kd-trees. */
 #include "lightmap/lightmap.h"
 
-#include "base/log.h"
-
+#include "base/block.h"
 #include "base/interrupt.h"
+#include "base/log.h"
 #include "base/machine.h"
 #include "base/progress.h"
 #include "base/ranks.h"
+#include "base/scratch_file.h"
 #include "lightmap/checkpoint.h"
 #include "lightmap/emission.h"
 #include "lightmap/store_check.h"
 #include "world/scene_tallies.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,27 +124,31 @@ murk_status murk_lightmap_forecast(murk_forecast *out, const murk_stage *stage,
      * the old and the new array exist while the array moves: 2.5 times. The
      * kd-trees need more memory beside the content;
      * murk_photon_map_memory_for() includes the content, which is subtracted
-     * because it is counted already. */
+     * because it is counted already. Records that need more than blocks may
+     * take lie in a scratch file. */
     const double records = all * grow;
-    *out = (murk_forecast){.pilot_photons = n,
-                           .pilot_s = pilot_s,
-                           .escaped_share = escaped_share(stage, ledger),
-                           .surface = surface * grow,
-                           .volume = volume * grow,
-                           .emitted = settings->emit && !is_dark
-                                          ? (double)settings->emit
-                                          : (double)n * grow,
-                           .memory_bytes = 2.5 * sizeof(murk_photon) * records +
-                                           murk_photon_map_memory_for(records) -
-                                           sizeof(murk_photon) * records};
+    const double tree =
+        murk_photon_map_memory_for(records) - sizeof(murk_photon) * records;
+    const double memory = 2.5 * sizeof(murk_photon) * records + tree;
+    const bool is_in_file = memory > murk_block_memory_bytes();
+    *out = (murk_forecast){
+        .pilot_photons = n,
+        .pilot_s = pilot_s,
+        .escaped_share = escaped_share(stage, ledger),
+        .surface = surface * grow,
+        .volume = volume * grow,
+        .emitted = settings->emit && !is_dark ? (double)settings->emit
+                                              : (double)n * grow,
+        .memory_bytes = is_in_file ? tree : memory,
+        .scratch_bytes = is_in_file ? 1.5 * sizeof(murk_photon) * records : 0};
 done:
     murk_record_buffers_destroy(h);
     murk_ledger_destroy(ledger);
     return status;
 }
 
-/* Fails with MURK_BAD_VALUE if the forecast exceeds max_stored or the free
- * memory. */
+/* Fails with MURK_BAD_VALUE if the forecast exceeds max_stored, or the free
+ * memory and, beyond it, the space for a scratch file. */
 static murk_status check_forecast(const murk_forecast *forecast,
                                   const murk_scene_photons *settings,
                                   murk_error *err)
@@ -155,12 +161,18 @@ static murk_status check_forecast(const murk_forecast *forecast,
                          records, (unsigned long long)forecast->pilot_photons,
                          (unsigned long long)settings->max_stored);
     }
+    /* Memory, and the disk if the records lie in a scratch file. */
     const double have = murk_machine_memory_bytes();
-    if (forecast->memory_bytes > have) {
-        return murk_fail(err, MURK_BAD_VALUE, settings->where,
-                         "about %.3g photons would be stored, which takes "
-                         "%.3g GB; this machine has %.3g GB free",
-                         records, forecast->memory_bytes / 1e9, have / 1e9);
+    const double disk = murk_scratch_free_bytes();
+    if (forecast->memory_bytes > have || forecast->scratch_bytes > disk) {
+        return murk_fail(
+            err, MURK_BAD_VALUE, settings->where,
+            "about %.3g photons would be stored, which takes %.3g GB of memory "
+            "and %.3g GB of disk space; this machine has %.3g GB and, in %s, "
+            "%.3g GB free",
+            records, forecast->memory_bytes / 1e9,
+            forecast->scratch_bytes / 1e9, have / 1e9, murk_scratch_folder(),
+            disk / 1e9);
     }
     return MURK_OK;
 }
@@ -209,13 +221,17 @@ static murk_status stream_batch(void *context, const murk_record_batch *batch,
 /* Checks the losses, sets the power of the packets, turns shares of a packet
  * into watts unless stream_batch() has done that, and builds the maps. */
 static murk_status finish(murk_traced *traced, const murk_emission *emission,
-                          const streaming *s, murk_error *err)
+                          const streaming *s, murk_status status,
+                          murk_error *err)
 {
     murk_record_buffers *buffers = emission->buffers;
-    murk_status status = murk_emission_check_losses(emission, err);
+    if (!status) {
+        status = murk_emission_check_losses(emission, err);
+    }
     if (!status) {
         status = set_packet_powers(traced, emission, err);
     }
+    status = murk_ranks_agree(status, err);
     if (status) {
         return status;
     }
@@ -225,14 +241,12 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
     if (!s->packet_w) {
         murk_record_buffers_to_watts(buffers, traced->packet_w, s->bands);
     }
-    status = murk_record_list_map(&traced->surface, &buffers->surface,
-                                  emission->threads, err);
+    status = murk_record_list_map_shared(&traced->surface, &buffers->surface,
+                                         emission->threads, status, err);
     murk_progress_add(!status);
-    if (!status) {
-        status = murk_record_list_map(&traced->volume, &buffers->volume,
-                                      emission->threads, err);
-        murk_progress_add(!status);
-    }
+    status = murk_record_list_map_shared(&traced->volume, &buffers->volume,
+                                         emission->threads, status, err);
+    murk_progress_add(!status);
     murk_progress_end();
     traced->map_s = murk_clock_s() - begun_s;
     return status;
@@ -247,7 +261,7 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
         return MURK_OK;
     }
     e->buffers->each = stream_batch;
-    e->buffers->passes = s->passes;
+    e->buffers->passes |= s->passes;
     e->buffers->each_context = s;
     if (!e->emit) {
         return MURK_OK;
@@ -258,6 +272,24 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
     return set_packet_powers(traced, &all, err);
 }
 
+/* Where the lists of records lie: both in a scratch file if the forecast says
+ * so, else in memory, as long as they are not much longer than forecast. Of the
+ * ranks of a machine the first has them, which shares their memory with the
+ * others. */
+static void place_records(murk_record_buffers *buffers,
+                          const murk_forecast *forecast)
+{
+    const double records = forecast->surface + forecast->volume;
+    const double memory =
+        forecast->scratch_bytes > 0 ? 1 : murk_block_memory_bytes();
+    const double surface = records > 0 ? forecast->surface / records : 0.5;
+    buffers->surface.memory_max = fmax(1, memory * surface);
+    buffers->volume.memory_max = fmax(1, memory * (1 - surface));
+    buffers->surface.block.is_for_ranks = buffers->volume.block.is_for_ranks =
+        murk_ranks_on_machine().count > 1;
+    buffers->passes = !murk_ranks_keeps_shared();
+}
+
 static murk_status trace_light(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads, streaming *s,
                                const murk_light_parts *parts,
@@ -265,7 +297,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
-    const bool keeps = murk_ranks_keeps() || s->each;
+    const bool keeps = murk_ranks_keeps_shared() && !s->passes;
     murk_emission e = {.stage = stage,
                        .stream = stream,
                        .threads = threads,
@@ -279,9 +311,10 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         status = murk_ending_check(stage, stream, err);
     } else if (!status) {
         status = murk_lightmap_forecast(&forecast, stage, stream, threads, err);
-        if (s->passes || !keeps) {
+        if (!keeps) {
             forecast.memory_bytes =
                 s->bytes_each * (forecast.surface + forecast.volume);
+            forecast.scratch_bytes = 0;
         }
         if (!status) {
             status = check_forecast(&forecast, settings, err);
@@ -307,7 +340,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         goto done;
     }
     e.tallies = traced->tallies;
-    e.buffers->passes = !keeps;
+    place_records(e.buffers, &forecast);
     status = prepare_stream(s, &e, traced, err);
     if (status) {
         goto done;
@@ -323,9 +356,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
     traced->emitted = e.emitted;
     traced->trace_s = murk_clock_s() - begun_s;
     /* Build the maps and hand over. */
-    if (!status) {
-        status = finish(traced, &e, s, err);
-    }
+    status = finish(traced, &e, s, status, err);
     if (!status) {
         if (stream == 0) { /* for the first map only, so that the warning
                             * appears once */

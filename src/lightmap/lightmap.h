@@ -37,6 +37,8 @@ typedef struct murk_forecast {
     double emitted;         /* photons at the end */
     double memory_bytes;    /* upper limit [bytes] of the memory of tracing and
                              * of both maps, for these numbers of records */
+    double scratch_bytes;   /* the same of a scratch file with the records; 0 if
+                             * they lie in memory (base/block.h) */
     double escaped_share;   /* share of the emitted power that escapes; 0 if
                              * nothing is emitted */
 } murk_forecast;
@@ -59,10 +61,11 @@ void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
  * stored. A stream is an independent set of photons. Fails before tracing as
  * murk_emission_check() and murk_ending_check(), with MURK_BAD_VALUE if the
  * scene stores records and the forecast exceeds max_stored records or the free
- * memory of the machine, and, in stream 0, as murk_tallies_of_stage(). Fails
- * later as murk_emission_run(), murk_emission_check_losses() and
- * murk_photon_map_create(). MURK_NO_MEMORY and MURK_INTERRUPTED are possible
- * throughout. The caller owns *out (murk_traced_destroy()). */
+ * memory and disk space of the machine, and, in stream 0, as
+ * murk_tallies_of_stage(). Fails later as murk_emission_run(),
+ * murk_emission_check_losses() and murk_photon_map_create(). MURK_NO_MEMORY and
+ * MURK_INTERRUPTED are possible throughout. The caller owns *out
+ * (murk_traced_destroy()). */
 murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);

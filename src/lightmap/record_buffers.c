@@ -4,6 +4,7 @@
  * records. */
 #include "lightmap/record_buffers.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/pool.h"
@@ -26,31 +27,55 @@ static murk_photon record_of(const murk_event *event, double share)
                               .event_class = (int)event->event_class});
 }
 
-/* The place of one more record, which the list then counts; NULL, with the list
- * unchanged, when out of memory. */
-static inline murk_photon *next_record(murk_record_list *buffer)
+static murk_status no_memory(const murk_record_list *list, murk_error *err)
 {
-    if (buffer->n == buffer->capacity) {
-        const size_t capacity = buffer->capacity
-                                    ? buffer->capacity + buffer->capacity / 2
-                                    : FIRST_CAPACITY;
-        murk_photon *grown = realloc(buffer->photon, capacity * sizeof *grown);
-        if (!grown) {
-            return NULL;
-        }
-        buffer->photon = grown;
-        buffer->capacity = capacity;
-    }
-    return &buffer->photon[buffer->n++];
+    return murk_no_memory(err, "", "for more than %.3g stored photons",
+                          (double)list->n);
 }
 
-bool murk_record_list_put(murk_record_list *buffer, const murk_photon *photon)
+/* Gives a list memory for more records. */
+static murk_status grow(murk_record_list *list, murk_error *err)
 {
-    murk_photon *record = next_record(buffer);
-    if (record) {
+    const size_t capacity =
+        list->capacity ? list->capacity + list->capacity / 2 : FIRST_CAPACITY;
+    const double max = list->memory_max > 0 ? list->memory_max : INFINITY;
+    const murk_status status = murk_block_resize(
+        &list->block, capacity * sizeof(murk_photon), max, err);
+    if (!status) {
+        list->photon = list->block.bytes;
+        list->capacity = capacity;
+    }
+    return status;
+}
+
+/* The place of one more record, which the list then counts. Fails, with the
+ * list unchanged, if it cannot grow. */
+static inline murk_status next_record(murk_record_list *list,
+                                      murk_photon **place, murk_error *err)
+{
+    const murk_status status =
+        list->n == list->capacity ? grow(list, err) : MURK_OK;
+    if (!status) {
+        *place = &list->photon[list->n++];
+    }
+    return status;
+}
+
+murk_status murk_record_list_put(murk_record_list *list,
+                                 const murk_photon *photon, murk_error *err)
+{
+    murk_photon *record = NULL;
+    const murk_status status = next_record(list, &record, err);
+    if (!status) {
         *record = *photon;
     }
-    return record;
+    return status;
+}
+
+void murk_record_list_release(murk_record_list *list)
+{
+    murk_block_release(&list->block);
+    *list = (murk_record_list){.block = list->block};
 }
 
 murk_record_buffers *
@@ -71,10 +96,10 @@ void murk_record_buffers_destroy(murk_record_buffers *h)
 {
     if (h) {
         for (size_t i = 0; i < MURK_WAVE_BATCHES_MAX; ++i) {
-            free(h->buffer[i].photon);
+            murk_record_list_release(&h->buffer[i]);
         }
-        free(h->surface.photon);
-        free(h->volume.photon);
+        murk_record_list_release(&h->surface);
+        murk_record_list_release(&h->volume);
         free(h);
     }
 }
@@ -102,11 +127,12 @@ void murk_record_buffers_event(void *context, uint64_t batch,
     const double share = murk_record_buffers_share(h, event);
     if (share > 0) {
         murk_record_list *buffer = &h->buffer[batch];
-        murk_photon *record = next_record(buffer);
-        if (record) {
+        murk_photon *record;
+        if (next_record(buffer, &record, NULL)) {
+            buffer->is_short_of_memory = true;
+        } else {
             *record = record_of(event, share);
         }
-        buffer->is_short_of_memory |= !record;
     }
 }
 
@@ -136,7 +162,7 @@ void murk_record_buffers_fill(murk_record_buffers *h, size_t batch,
     buffer->n = 0;
     for (size_t i = 0; i < n; ++i) {
         buffer->is_short_of_memory |=
-            !murk_record_list_put(buffer, &records[i]);
+            murk_record_list_put(buffer, &records[i], NULL) != MURK_OK;
     }
 }
 
@@ -176,7 +202,8 @@ static void sort_batch(void *context, uint64_t batch)
         const murk_photon *photon = &buffer->photon[i];
         sorted[place[murk_photon_emitted(photon) - first]++] = *photon;
     }
-    free(buffer->photon);
+    murk_block_release(&buffer->block);
+    buffer->block = murk_block_of(sorted, n * sizeof *sorted);
     buffer->photon = sorted;
     buffer->capacity = n;
 }
@@ -201,22 +228,24 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *h,
 }
 
 /* Appends the records of a batch, up to those of photon `last`, to the lists of
- * their maps, and empties the buffer. False when out of memory, now or while
- * the batch was traced. */
-static bool append(murk_record_buffers *h, murk_record_list *buffer,
-                   uint64_t last)
+ * their maps, and empties the buffer. */
+static murk_status append(murk_record_buffers *h, murk_record_list *buffer,
+                          uint64_t last, murk_error *err)
 {
-    bool fits = !buffer->is_short_of_memory;
-    for (size_t i = 0; fits && i < buffer->n &&
-                       murk_photon_emitted(&buffer->photon[i]) <= last;
-         ++i) {
+    murk_status status =
+        buffer->is_short_of_memory ? no_memory(buffer, err) : MURK_OK;
+    for (size_t i = 0; i < buffer->n && !status; ++i) {
         const murk_photon *photon = &buffer->photon[i];
-        fits = murk_record_list_put(
-            murk_photon_is_volume(photon) ? &h->volume : &h->surface, photon);
-        h->stored += fits;
+        if (murk_photon_emitted(photon) > last) {
+            break;
+        }
+        status = murk_record_list_put(
+            murk_photon_is_volume(photon) ? &h->volume : &h->surface, photon,
+            err);
+        h->stored += !status;
     }
     buffer->n = 0;
-    return fits;
+    return status;
 }
 
 /* Counts a batch, and passes to the sink of batches, if there is one, the
@@ -253,12 +282,10 @@ murk_status murk_record_buffers_gather(murk_record_buffers *h, uint64_t last,
     /* Append the records of each batch and hand the batch over. */
     for (size_t b = 0; b < MURK_WAVE_BATCHES_MAX; ++b) {
         const size_t n_surface = h->surface.n, n_volume = h->volume.n;
-        if (!append(h, &h->buffer[b], last)) {
-            return murk_no_memory(err, h->settings->where,
-                                  "for more than %.3g stored photons",
-                                  (double)h->stored);
+        murk_status status = append(h, &h->buffer[b], last, err);
+        if (!status) {
+            status = hand_over(h, n_surface, n_volume, last, err);
         }
-        const murk_status status = hand_over(h, n_surface, n_volume, last, err);
         if (status) {
             return status;
         }
@@ -290,22 +317,39 @@ void murk_record_buffers_to_watts(murk_record_buffers *h,
     murk_records_to_watts(h->volume.photon, h->volume.n, packet_w, bands);
 }
 
-murk_status murk_record_list_map(murk_photon_map **out,
-                                 murk_record_list *buffer, unsigned threads,
-                                 murk_error *err)
+/* The records of a list in a block without unused memory; the list is then
+ * empty. */
+static murk_status take_block(murk_block *out, murk_record_list *list,
+                              murk_error *err)
 {
-    murk_photon *photons = buffer->photon;
-    const size_t n = buffer->n;
-    /* Return unused memory before the map is built. */
-    if (n == 0) {
-        free(photons);
-        photons = NULL;
-    } else if (n < buffer->capacity) {
-        murk_photon *fitted = realloc(photons, n * sizeof *fitted);
-        if (fitted) {
-            photons = fitted;
-        }
+    const murk_status status = murk_block_resize(
+        &list->block, list->n * sizeof *list->photon, INFINITY, err);
+    *out = (murk_block){0};
+    if (!status) {
+        *out = list->block;
+        list->block = (murk_block){0};
     }
-    *buffer = (murk_record_list){0};
-    return murk_photon_map_create(out, photons, n, threads, err);
+    murk_record_list_release(list);
+    return status;
+}
+
+murk_status murk_record_list_map(murk_photon_map **out, murk_record_list *list,
+                                 unsigned threads, murk_error *err)
+{
+    murk_block block;
+    const murk_status status = take_block(&block, list, err);
+    return status ? status
+                  : murk_photon_map_create_in(out, &block, threads, err);
+}
+
+murk_status murk_record_list_map_shared(murk_photon_map **out,
+                                        murk_record_list *list,
+                                        unsigned threads, murk_status status,
+                                        murk_error *err)
+{
+    murk_block block = {0};
+    if (!status) {
+        status = take_block(&block, list, err);
+    }
+    return murk_photon_map_create_shared(out, &block, threads, status, err);
 }

@@ -17,14 +17,20 @@
 #define MURK_WAVE_BATCHES_MAX 1024
 
 typedef struct murk_record_list {
-    murk_photon *photon;
+    murk_block block;
+    double memory_max; /* bytes beyond which the block is in a scratch file; 0:
+                        * no limit */
+    murk_photon *photon; /* the records, in the block */
     size_t n, capacity;
     bool is_short_of_memory;
 } murk_record_list;
 
-/* Appends a record; a full list grows by half. False, with the list unchanged,
- * when out of memory. */
-bool murk_record_list_put(murk_record_list *list, const murk_photon *photon);
+/* Appends a record; a full list grows by half. Fails, with the list unchanged,
+ * with MURK_NO_MEMORY, or with MURK_RUN_FAILED if the disk with the scratch
+ * file is full. */
+murk_status murk_record_list_put(murk_record_list *list,
+                                 const murk_photon *photon, murk_error *err);
+void murk_record_list_release(murk_record_list *list);
 
 /* The records of one batch in the lists of both maps, in the order of
  * photons. */
@@ -103,7 +109,8 @@ uint64_t murk_record_buffers_photon_of(const murk_record_buffers *buffers,
 /* Moves the records of this wave, whose last photon is `last`, to the lists of
  * surface and volume records, and drops the records of later photons. Fails if
  * the sink of batches fails, with MURK_NO_MEMORY, or with MURK_RUN_FAILED if
- * more than settings->max_stored records are stored or passed. */
+ * more than settings->max_stored records are stored or passed or if the disk
+ * with a scratch file is full. */
 murk_status murk_record_buffers_gather(murk_record_buffers *buffers,
                                        uint64_t last, murk_error *err);
 
@@ -118,9 +125,13 @@ void murk_record_buffers_to_watts(murk_record_buffers *buffers,
 
 /* Passes the records of a list to a new photon map, which owns them; the list
  * becomes empty, also on failure. The caller owns *out. Fails as
- * murk_photon_map_create(). */
-murk_status murk_record_list_map(murk_photon_map **out,
-                                 murk_record_list *buffer, unsigned threads,
-                                 murk_error *err);
+ * murk_photon_map_create(). The second function makes a map that the ranks of a
+ * machine share, and is collective: murk_photon_map_create_shared(). */
+murk_status murk_record_list_map(murk_photon_map **out, murk_record_list *list,
+                                 unsigned threads, murk_error *err);
+murk_status murk_record_list_map_shared(murk_photon_map **out,
+                                        murk_record_list *list,
+                                        unsigned threads, murk_status status,
+                                        murk_error *err);
 
 #endif

@@ -1,11 +1,13 @@
 /* Writes and reads light.murk: the sections of the file, and whether the file
  * belongs to a scene. store_check.c checks the ranges of all numbers;
  * photonmap/map_file.h has the container format. */
+#include "base/ranks.h"
 #include "lightmap/key_check.h"
 #include "lightmap/lightmap.h"
 #include "lightmap/store_check.h"
 #include "photonmap/map_file.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,6 +79,14 @@ murk_status murk_lightmap_save(const murk_traced *traced,
     return status;
 }
 
+/* As murk_map_file_find(), of sections that may be changed. */
+static murk_section *find_section(murk_section *sections, size_t n,
+                                  const char *name)
+{
+    const murk_section *found = murk_map_file_find(sections, n, name);
+    return found ? &sections[found - sections] : NULL;
+}
+
 static murk_status bad_section(const char *path, const char *name,
                                murk_error *err)
 {
@@ -84,34 +94,37 @@ static murk_status bad_section(const char *path, const char *name,
                      "section %s is missing or of the wrong size", name);
 }
 
+/* Checks the records of a section and makes a map of them, which takes their
+ * memory. Of the ranks of a machine the first has the section, and all share
+ * the map: collective. */
 static murk_status load_map(murk_photon_map **out, const murk_traced *traced,
-                            const murk_section *sections, size_t n,
-                            bool is_volume, const murk_stage *stage,
-                            const char *path, unsigned threads, murk_error *err)
+                            murk_section *sections, size_t n, bool is_volume,
+                            const murk_stage *stage, const char *path,
+                            unsigned threads, murk_status status,
+                            murk_error *err)
 {
     const char *name = is_volume ? "volume" : "surface";
+    murk_block block = {0};
     /* Find and check the records. */
-    const murk_section *section = murk_map_file_find(sections, n, name);
-    if (!section || section->size % sizeof(murk_photon) != 0) {
-        return bad_section(path, name, err);
-    }
-    const murk_status status = murk_lightmap_check_records(
-        section->bytes, section->size / sizeof(murk_photon), is_volume,
-        traced->emitted, traced->packet_w, stage, path, err);
-    if (status) {
-        return status;
-    }
-    /* Copy them into a map. */
-    murk_photon *photons = NULL;
-    if (section->size) {
-        photons = malloc(section->size);
-        if (!photons) {
-            return murk_no_memory(err, path, "for its photons");
+    murk_section *section = find_section(sections, n, name);
+    if (!status && murk_ranks_on_machine().number == 0) {
+        status = section && section->size % sizeof(murk_photon) == 0
+                     ? murk_lightmap_check_records(
+                           section->bytes, section->size / sizeof(murk_photon),
+                           is_volume, traced->emitted, traced->packet_w, stage,
+                           path, err)
+                     : bad_section(path, name, err);
+        /* The block of the section may be longer than the records. */
+        if (!status) {
+            status = murk_block_resize(&section->block, section->size, INFINITY,
+                                       err);
         }
-        memcpy(photons, section->bytes, section->size);
+        if (!status) {
+            block = section->block;
+            section->block = (murk_block){0};
+        }
     }
-    return murk_photon_map_create(out, photons, section->size / sizeof *photons,
-                                  threads, err);
+    return murk_photon_map_create_shared(out, &block, threads, status, err);
 }
 
 /* Checks the stored energies and counts, and adds them to an empty ledger. */
@@ -145,9 +158,10 @@ static murk_status load_ledger(murk_traced *traced, const facts *f,
     return status;
 }
 
+/* Everything but the records. */
 static murk_status load(murk_traced *traced, const murk_section *sections,
                         size_t n, const murk_stage *stage, const char *path,
-                        unsigned threads, murk_error *err)
+                        murk_error *err)
 {
     /* Find the sections; the light key and the origin must be those of the
      * scene. */
@@ -194,33 +208,37 @@ static murk_status load(murk_traced *traced, const murk_section *sections,
                                            sizeof(int64_t)) {
         return bad_section(path, "absorbed", err);
     }
-    /* Fill the ledger and build the maps. */
+    /* Fill the ledger. */
     traced->emitted = f.emitted;
     memcpy(traced->packet_w, worth->bytes, worth->size);
-    status = load_ledger(traced, &f, energy, absorbed, stage, path, err);
-    if (status) {
-        return status;
-    }
-    status = load_map(&traced->surface, traced, sections, n, false, stage, path,
-                      threads, err);
-    return status ? status
-                  : load_map(&traced->volume, traced, sections, n, true, stage,
-                             path, threads, err);
+    return load_ledger(traced, &f, energy, absorbed, stage, path, err);
 }
 
 murk_status murk_lightmap_load(murk_traced **out, const murk_stage *stage,
                                const char *path, unsigned threads,
                                murk_error *err)
 {
+    static const char *const maps[] = {"surface", "volume", NULL};
     murk_section *sections = NULL;
     size_t n = 0;
-    murk_status status = murk_map_file_read(&sections, &n, path, err);
-    if (status) {
-        return status;
+    /* Of the ranks of a machine the first alone reads the records. */
+    murk_status status =
+        murk_ranks_on_machine().number == 0
+            ? murk_map_file_read(&sections, &n, path, err)
+            : murk_map_file_read_without(&sections, &n, path, maps, err);
+    murk_traced *traced = NULL;
+    if (!status) {
+        traced = murk_traced_create(stage, 0, err);
+        status = traced ? load(traced, sections, n, stage, path, err)
+                        : MURK_NO_MEMORY;
     }
-    murk_traced *traced = murk_traced_create(stage, 0, err);
-    status = traced ? load(traced, sections, n, stage, path, threads, err)
-                    : MURK_NO_MEMORY;
+    status = murk_ranks_agree(status, err);
+    if (!status) {
+        status = load_map(&traced->surface, traced, sections, n, false, stage,
+                          path, threads, status, err);
+        status = load_map(&traced->volume, traced, sections, n, true, stage,
+                          path, threads, status, err);
+    }
     murk_map_file_release(sections, n);
     if (status) {
         murk_traced_destroy(traced);

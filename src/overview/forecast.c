@@ -2,8 +2,9 @@
  * run (lightmap/lightmap.h), the memory of maps and rows, and the disk space of
  * the scratch file; and the same for a run that several ranks share. Ranks
  * divide the photons of a map and the rows of a coverage matrix that is
- * computed as a whole. Each rank receives the records of all others, and the
- * rows, which it keeps unless the matrix is large. */
+ * computed as a whole. Each rank receives the records of all others, which the
+ * first rank of each machine keeps for the others there, and the rows, which it
+ * keeps unless the matrix is large. */
 #include "overview/parts.h"
 
 #include "base/print.h"
@@ -62,6 +63,10 @@ void murk_overview_json_forecast(cJSON *root, const murk_session *session,
     murk_json_number(object, "surface", f->surface);
     murk_json_number(object, "volume", f->volume);
     murk_json_number(object, "memory_bytes", f->memory_bytes);
+    if (f->scratch_bytes > 0) {
+        murk_json_number(object, "records_scratch_bytes_at_most",
+                         f->scratch_bytes);
+    }
     murk_json_number(object, "matrix_bytes_at_most", matrix);
     murk_json_number(object, "remembered_bytes_at_most",
                      is_unknown(session) ? memory_of_rows(session, matrix) : 0);
@@ -85,6 +90,12 @@ void murk_overview_print_forecast(const murk_session *session,
         murk_print("memory      about %.3g GB a map while tracing; to place at "
                    "most %.3g GB more for rows of the coverage matrix\n",
                    f->memory_bytes / 1e9, rows / 1e9);
+    }
+    if (f->scratch_bytes > 0) {
+        murk_print("            the records do not fit into memory: about %.3g "
+                   "GB a map in a scratch file in %s, which has %.3g GB free\n",
+                   f->scratch_bytes / 1e9, murk_scratch_folder(),
+                   murk_scratch_free_bytes() / 1e9);
     }
     if (scratch > 0) {
         murk_print("            at most %.3g GB in a scratch file in %s, which "
@@ -153,7 +164,7 @@ void murk_overview_json_ranks(cJSON *root, const murk_session *session,
     murk_json_number(object, "photons", share.photons);
     murk_json_number(object, "trace_s", share.trace_s);
     murk_json_number(object, "rows", share.rows);
-    /* Held by each rank. */
+    /* Held by each machine, and by each rank. */
     murk_json_number(object, "memory_bytes", f->memory_bytes);
     murk_json_number(object, "rows_bytes_at_most",
                      memory_of_rows(session, share.matrix_bytes));
@@ -178,11 +189,12 @@ void murk_overview_print_ranks(const murk_session *session,
                ranks, share.threads, share.threads > 1 ? "s" : "",
                share.photons, share.rows);
     /* Memory and disk space; those of small matrices are not divided. */
-    murk_print("            memory of each rank about %.3g GB a map while "
-               "tracing, at most %.3g GB more for rows, %.3g GB for tallies\n",
-               gb * f->memory_bytes,
-               gb * memory_of_rows(session, share.matrix_bytes),
-               gb * share.tallies_bytes);
+    murk_print(
+        "            memory about %.3g GB a map while tracing, which the "
+        "ranks of a machine share; of each rank at most %.3g GB for "
+        "rows, %.3g GB for tallies\n",
+        gb * f->memory_bytes, gb * memory_of_rows(session, share.matrix_bytes),
+        gb * share.tallies_bytes);
     const double scratch = scratch_bytes(session, share.matrix_bytes);
     if (scratch > 0) {
         murk_print("            scratch file of each rank at most %.3g GB\n",

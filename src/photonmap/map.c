@@ -6,10 +6,12 @@
 #include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/pool.h"
+#include "base/ranks.h"
 #include "photonmap/order.h"
 #include "photonmap/tree.h"
 
 #include <assert.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #define WHERE "photon map"
@@ -74,10 +76,18 @@ static void set_box(murk_photon_map *map, unsigned level, size_t box)
     }
 }
 
-static void leaf_bounds_job(void *context, uint64_t group)
+/* The groups of leaves of one rank: `first`, and every `step`-th after it. */
+typedef struct leaf_groups {
+    murk_photon_map *map;
+    size_t first, step;
+} leaf_groups;
+
+static void leaf_bounds_job(void *context, uint64_t k)
 {
+    const leaf_groups *of_rank = context;
+    const size_t group = of_rank->first + (size_t)k * of_rank->step;
     for (size_t i = 0; i < MURK_WIDE; ++i) {
-        set_box(context, 0, (size_t)group * MURK_WIDE + i);
+        set_box(of_rank->map, 0, group * MURK_WIDE + i);
     }
 }
 
@@ -95,76 +105,143 @@ static size_t measure_levels(murk_photon_map *map)
     return all;
 }
 
-murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
-                                   size_t n, unsigned threads, murk_error *err)
+/* Memory for the boxes of all levels, and the place of each level. The ranks
+ * that share a map share its boxes. */
+static murk_status make_bounds(murk_photon_map *map, bool is_shared,
+                               murk_status status, murk_error *err)
 {
-    assert(out && (photons || n == 0) && threads >= 1);
-    murk_photon_map *map = NULL;
-    murk_status status = check(photons, n, err);
-    if (status) {
-        goto done;
-    }
-    map = calloc(1, sizeof *map);
-    if (!map) {
-        status = murk_no_memory(err, WHERE, "for its tree");
-        goto done;
-    }
-    /* Use the fastest range tests that this machine supports. */
-    unsigned n_tests;
-    const murk_range_test *const *tests = murk_range_tests(&n_tests);
-    map->test = tests[n_tests - 1];
-    map->n = n;
-    /* Memory for the boxes of all levels. */
-    const size_t groups = measure_levels(map);
-    if (groups > 0) {
-        map->memory = aligned_alloc(64, groups * sizeof *map->memory);
-        if (!map->memory) {
-            status = murk_no_memory(err, WHERE, "for its tree");
-            goto done;
+    const size_t size = measure_levels(map) * sizeof(murk_bounds);
+    if (is_shared) {
+        const bool is_first = murk_ranks_on_machine().number == 0;
+        map->bounds_memory.is_for_ranks = murk_ranks_on_machine().count > 1;
+        if (!status && is_first) {
+            status =
+                murk_block_resize(&map->bounds_memory, size, INFINITY, err);
         }
+        status = murk_ranks_share_block(&map->bounds_memory, status, err);
+    } else if (!status && size > 0) {
+        map->bounds_memory = murk_block_of(aligned_alloc(64, size), size);
+        status = map->bounds_memory.bytes
+                     ? MURK_OK
+                     : murk_no_memory(err, WHERE, "for its tree");
     }
-    map->photons = photons;
-    photons = NULL;
-    murk_bounds *next = map->memory;
-    for (unsigned level = 0; level < map->levels; ++level) {
+    murk_bounds *next = map->bounds_memory.bytes;
+    for (unsigned level = 0; level < map->levels && !status; ++level) {
         map->bounds[level] = next;
         next += murk_groups_of(map->n_bounds[level]);
     }
-    /* Order the records, then compute the boxes from the leaves upwards. Huge
-     * pages make scattered queries of a million photons a sixth faster, and the
-     * call takes no longer than it saves here. */
-    murk_machine_join_pages(map->photons, n * sizeof *map->photons);
-    if (!murk_order(map->photons, n, threads)) {
-        status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
-        goto done;
+    return status;
+}
+
+/* The boxes of the leaves, of which the ranks that share the map divide the
+ * groups, and then those above. */
+static murk_status fill_bounds(murk_photon_map *map, unsigned threads,
+                               bool is_shared, murk_status status,
+                               murk_error *err)
+{
+    const murk_ranks_here here = murk_ranks_on_machine();
+    const bool is_first = !is_shared || here.number == 0;
+    if (!status && map->levels > 0) {
+        leaf_groups of_rank = {.map = map,
+                               .step = is_shared ? here.count : 1,
+                               .first = is_shared ? here.number : 0};
+        const size_t groups = murk_groups_of(map->n_bounds[0]);
+        murk_pool_run(
+            threads, (groups + of_rank.step - 1 - of_rank.first) / of_rank.step,
+            leaf_bounds_job, &of_rank);
+        status = murk_interrupt_check(err);
     }
-    if (map->levels > 0) {
-        murk_pool_run(threads, murk_groups_of(map->n_bounds[0]),
-                      leaf_bounds_job, map);
-    }
-    for (unsigned level = 1; level < map->levels; ++level) {
+    status = is_shared ? murk_ranks_agree(status, err) : status;
+    /* The upper levels have few boxes. */
+    for (unsigned level = 1; level < map->levels && !status && is_first;
+         ++level) {
         const size_t end = murk_groups_of(map->n_bounds[level]) * MURK_WIDE;
         for (size_t box = 0; box < end; ++box) {
             set_box(map, level, box);
         }
     }
-    if (murk_interrupted()) { /* boxes may be missing then */
-        status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
-        goto done;
+    return is_shared ? murk_ranks_agree(status, err) : status;
+}
+
+/* Takes the block of records, and makes a map of it, also for ranks that share
+ * it. */
+static murk_status create(murk_photon_map **out, murk_block *records,
+                          unsigned threads, bool is_shared, murk_status status,
+                          murk_error *err)
+{
+    assert(out && threads >= 1);
+    murk_photon_map *map = calloc(1, sizeof *map);
+    murk_block block = *records;
+    *records = (murk_block){0};
+    if (!status) {
+        status = check(block.bytes, block.size / sizeof(murk_photon), err);
     }
-    *out = map;
-    map = NULL;
-done:
-    free(photons);
-    murk_photon_map_destroy(map);
+    if (!status && !map) {
+        status = murk_no_memory(err, WHERE, "for its tree");
+    }
+    if (is_shared) {
+        status = murk_ranks_share_block(&block, status, err);
+    }
+    if (status) {
+        murk_block_release(&block);
+        free(map);
+        return status;
+    }
+    map->block = block;
+    map->photons = block.bytes;
+    map->n = block.size / sizeof *map->photons;
+    /* Use the fastest range tests that this machine supports. */
+    unsigned n_tests;
+    const murk_range_test *const *tests = murk_range_tests(&n_tests);
+    map->test = tests[n_tests - 1];
+    /* Order the records, then compute the boxes from the leaves upwards. Huge
+     * pages make scattered queries of a million photons a sixth faster, and the
+     * call takes no longer than it saves here. */
+    status = make_bounds(map, is_shared, status, err);
+    if (block.place == MURK_BLOCK_ON_HEAP) {
+        murk_machine_join_pages(map->photons, block.size);
+    }
+    if (is_shared) {
+        status = murk_order_shared(map->photons, map->n, threads, status, err);
+    } else if (!status && !murk_order(map->photons, map->n, threads)) {
+        status = murk_fail(err, MURK_INTERRUPTED, WHERE, "interrupted");
+    }
+    status = fill_bounds(map, threads, is_shared, status, err);
+    if (status) {
+        murk_photon_map_destroy(map);
+    } else {
+        *out = map;
+    }
     return status;
+}
+
+murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
+                                   size_t n, unsigned threads, murk_error *err)
+{
+    assert(photons || n == 0);
+    murk_block block = murk_block_of(photons, n * sizeof *photons);
+    return create(out, &block, threads, false, MURK_OK, err);
+}
+
+murk_status murk_photon_map_create_in(murk_photon_map **out,
+                                      murk_block *records, unsigned threads,
+                                      murk_error *err)
+{
+    return create(out, records, threads, false, MURK_OK, err);
+}
+
+murk_status murk_photon_map_create_shared(murk_photon_map **out,
+                                          murk_block *records, unsigned threads,
+                                          murk_status status, murk_error *err)
+{
+    return create(out, records, threads, murk_ranks_count() > 1, status, err);
 }
 
 void murk_photon_map_destroy(murk_photon_map *map)
 {
     if (map) {
-        free(map->photons);
-        free(map->memory);
+        murk_block_release(&map->block);
+        murk_block_release(&map->bounds_memory);
         free(map);
     }
 }
@@ -179,6 +256,11 @@ const murk_photon *murk_photon_map_photons(const murk_photon_map *map)
     return map->photons;
 }
 
+bool murk_photon_map_is_in_file(const murk_photon_map *map)
+{
+    return map->block.place == MURK_BLOCK_IN_SCRATCH_FILE;
+}
+
 size_t murk_photon_map_memory_bytes(const murk_photon_map *map)
 {
     size_t groups = 0;
@@ -186,7 +268,7 @@ size_t murk_photon_map_memory_bytes(const murk_photon_map *map)
         groups += murk_groups_of(map->n_bounds[level]);
     }
     return sizeof *map + map->n * sizeof *map->photons +
-           groups * sizeof *map->memory;
+           groups * sizeof(murk_bounds);
 }
 
 double murk_photon_map_memory_for(double n)

@@ -18,10 +18,12 @@
 #ifndef MURK_PHOTONMAP_MAP_H
 #define MURK_PHOTONMAP_MAP_H
 
+#include "base/block.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "photonmap/photon.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -33,10 +35,27 @@ typedef struct murk_photon_map murk_photon_map;
  * MURK_INTERRUPTED. */
 murk_status murk_photon_map_create(murk_photon_map **out, murk_photon *photons,
                                    size_t n, unsigned threads, murk_error *err);
+
+/* The same with the records in a block, which becomes empty, also on
+ * failure. */
+murk_status murk_photon_map_create_in(murk_photon_map **out,
+                                      murk_block *records, unsigned threads,
+                                      murk_error *err);
+
+/* The same, and with ranks (base/ranks.h) the first rank of each machine gives
+ * the records, the ranks of the machine divide the work, and all of them share
+ * the memory of the map. Collective. */
+murk_status murk_photon_map_create_shared(murk_photon_map **out,
+                                          murk_block *records, unsigned threads,
+                                          murk_status status, murk_error *err);
 void murk_photon_map_destroy(murk_photon_map *map); /* NULL is fine */
 
 size_t murk_photon_map_count(const murk_photon_map *map);
 const murk_photon *murk_photon_map_photons(const murk_photon_map *map);
+
+/* True if the records are in a scratch file: records that are read in their
+ * order are then read faster. */
+bool murk_photon_map_is_in_file(const murk_photon_map *map);
 size_t murk_photon_map_memory_bytes(const murk_photon_map *map);
 
 /* The memory of a map of n photons with the tree, in bytes; building the map

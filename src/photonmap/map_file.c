@@ -4,6 +4,7 @@
 #include "photonmap/map_file.h"
 
 #include "base/file.h"
+#include "base/scratch_file.h"
 #include "photonmap/photon.h"
 
 #include <assert.h>
@@ -228,40 +229,69 @@ static murk_status read_table(entry table[MURK_MAP_FILE_SECTIONS], int fd,
     return MURK_OK;
 }
 
-/* Refuses sections that are larger than the memory. The operating system grants
- * memory freely and provides it only when it is written to, so that a large
- * request would succeed here, and the program would be killed later. */
-static murk_status check_memory(uint64_t size, const char *path,
-                                murk_error *err)
+/* The sections to read: one name, or all but some. */
+typedef struct selection {
+    const char *only;            /* NULL: not one name */
+    const char *const *left_out; /* ends with NULL; NULL: none */
+} selection;
+
+static bool is_wanted(const entry *section, const selection *s)
 {
-    const double have =
-        (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
-    if (!((double)size <= have)) {
-        return murk_fail(err, MURK_NO_MEMORY, path,
-                         "needs %.4g GB of memory, this machine has %.4g GB",
-                         (double)size / 1e9, have / 1e9);
+    const size_t size = sizeof section->name;
+    bool is_left_out = false;
+    for (size_t i = 0; s->left_out && s->left_out[i]; ++i) {
+        is_left_out |= strncmp(section->name, s->left_out[i], size) == 0;
     }
-    return MURK_OK;
+    return !is_left_out &&
+           (!s->only || strncmp(section->name, s->only, size) == 0);
 }
 
-static bool is_wanted(const entry *section, const char *only)
+/* Refuses a section for which neither memory nor disk suffice. */
+static murk_status check_disk(size_t size, const char *path, murk_error *err)
 {
-    return !only || strncmp(section->name, only, sizeof section->name) == 0;
+    const double have = murk_scratch_free_bytes();
+    return (double)size <= have
+               ? MURK_OK
+               : murk_fail(err, MURK_NO_MEMORY, path,
+                           "needs %.4g GB, more than this machine has free "
+                           "memory; and %s has %.4g GB free for a scratch file",
+                           (double)size / 1e9, murk_scratch_folder(),
+                           have / 1e9);
+}
+
+/* The memory of a section. *memory_left is what blocks may still take. */
+static murk_status take_memory(murk_section *section, double *memory_left,
+                               const char *path, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    if ((double)section->size > *memory_left) {
+        status = check_disk(section->size, path, err);
+        if (!status) {
+            status = murk_block_resize(&section->block, section->size, 0, err);
+        }
+    } else {
+        const size_t padded = (section->size / 64 + 1) * 64;
+        section->block = murk_block_of(aligned_alloc(64, padded), padded);
+        *memory_left -= (double)padded;
+    }
+    section->bytes = section->block.bytes;
+    return status || section->bytes
+               ? status
+               : murk_no_memory(err, path, "for section %s, %.4g MB",
+                                section->name, (double)section->size / 1e6);
 }
 
 static murk_status read_section(murk_section *section, const entry *from,
-                                int fd, const char *path, murk_error *err)
+                                int fd, double *memory_left, const char *path,
+                                murk_error *err)
 {
     const size_t size = (size_t)from->size;
     memcpy(section->name, from->name, sizeof section->name);
     section->size = size;
-    section->bytes = aligned_alloc(64, (size / 64 + 1) * 64);
-    if (!section->bytes) {
-        return murk_no_memory(err, path, "for section %s, %.4g MB", from->name,
-                              (double)size / 1e6);
+    murk_status status = take_memory(section, memory_left, path, err);
+    if (!status) {
+        status = murk_file_read_bytes(fd, section->bytes, size, path, err);
     }
-    murk_status status =
-        murk_file_read_bytes(fd, section->bytes, size, path, err);
     if (!status && !is_checked(section->bytes, size, from->checksum)) {
         status = murk_fail(err, MURK_BAD_FILE, path,
                            "changed bytes in section %s", from->name);
@@ -269,10 +299,9 @@ static murk_status read_section(murk_section *section, const entry *from,
     return status;
 }
 
-/* Reads all sections, or only the section `only`; *n is the number of sections
- * read. */
+/* Reads the selected sections; *n is their number. */
 static murk_status read_sections(murk_section **out, size_t *n,
-                                 const char *path, const char *only,
+                                 const char *path, const selection *which,
                                  murk_error *err)
 {
     assert(out && n && path);
@@ -287,13 +316,7 @@ static murk_status read_sections(murk_section **out, size_t *n,
         (status = read_table(table, fd, &head, path, err))) {
         goto done;
     }
-    uint64_t needed = 0;
-    for (size_t i = 0; i < head.n_sections; ++i) {
-        needed += is_wanted(&table[i], only) ? table[i].size : 0;
-    }
-    if ((status = check_memory(needed, path, err))) {
-        goto done;
-    }
+    double memory_left = murk_block_memory_bytes();
     /* Read or skip one section after the other. */
     sections = calloc(head.n_sections + 1, sizeof *sections);
     if (!sections) {
@@ -301,7 +324,7 @@ static murk_status read_sections(murk_section **out, size_t *n,
         goto done;
     }
     for (size_t i = 0; i < head.n_sections; ++i) {
-        if (!is_wanted(&table[i], only)) {
+        if (!is_wanted(&table[i], which)) {
             if (lseek(fd, (off_t)table[i].size, SEEK_CUR) < 0) {
                 status = murk_fail(err, MURK_BAD_FILE, path, "cannot read: %s",
                                    strerror(errno));
@@ -309,7 +332,8 @@ static murk_status read_sections(murk_section **out, size_t *n,
             }
             continue;
         }
-        status = read_section(&sections[taken++], &table[i], fd, path, err);
+        status = read_section(&sections[taken++], &table[i], fd, &memory_left,
+                              path, err);
         if (status) {
             goto done;
         }
@@ -328,7 +352,17 @@ done:
 murk_status murk_map_file_read(murk_section **out, size_t *n, const char *path,
                                murk_error *err)
 {
-    return read_sections(out, n, path, NULL, err);
+    const selection all = {NULL, NULL};
+    return read_sections(out, n, path, &all, err);
+}
+
+murk_status murk_map_file_read_without(murk_section **out, size_t *n,
+                                       const char *path,
+                                       const char *const *left_out,
+                                       murk_error *err)
+{
+    const selection some = {NULL, left_out};
+    return read_sections(out, n, path, &some, err);
 }
 
 murk_status murk_map_file_read_one(murk_section **out, const char *path,
@@ -336,7 +370,8 @@ murk_status murk_map_file_read_one(murk_section **out, const char *path,
 {
     size_t n = 0;
     murk_section *sections = NULL;
-    const murk_status status = read_sections(&sections, &n, path, name, err);
+    const selection one = {name, NULL};
+    const murk_status status = read_sections(&sections, &n, path, &one, err);
     if (status) {
         return status;
     }
@@ -353,7 +388,7 @@ void murk_map_file_release(murk_section *sections, size_t n)
 {
     if (sections) {
         for (size_t i = 0; i < n; ++i) {
-            free(sections[i].bytes);
+            murk_block_release(&sections[i].block);
         }
         free(sections);
     }

@@ -17,6 +17,7 @@
 #ifndef MURK_PHOTONMAP_MAP_FILE_H
 #define MURK_PHOTONMAP_MAP_FILE_H
 
+#include "base/block.h"
 #include "base/status.h"
 
 #include <stddef.h>
@@ -30,8 +31,11 @@
  * bytes. */
 typedef struct murk_section {
     char name[16];
-    void *bytes; /* writing: borrowed; reading: owned by the list, 64-aligned */
+    void
+        *bytes; /* writing: borrowed; reading: those of the block, 64-aligned */
     size_t size;
+    murk_block block; /* reading: owned by the list, in a scratch file if the
+                       * sections are larger than blocks in memory may be */
 } murk_section;
 
 /* A section for writing. */
@@ -46,10 +50,16 @@ murk_status murk_map_file_write(const char *path, const murk_section *sections,
 /* Reads all sections into *out, an array of *n sections, which the caller
  * releases with murk_map_file_release() (NULL is allowed). The file counts as
  * an input of the run (base/inputs.h). Sizes are checked against the file
- * before memory is taken. Fails with MURK_BAD_FILE, or with MURK_NO_MEMORY,
- * also if the sections are larger than the memory of the machine. */
+ * before memory is taken. Fails with MURK_BAD_FILE, with MURK_NO_MEMORY, or
+ * with MURK_RUN_FAILED if the disk is too small for a scratch file. The second
+ * function leaves out the sections of these names, a list that ends with
+ * NULL. */
 murk_status murk_map_file_read(murk_section **out, size_t *n, const char *path,
                                murk_error *err);
+murk_status murk_map_file_read_without(murk_section **out, size_t *n,
+                                       const char *path,
+                                       const char *const *left_out,
+                                       murk_error *err);
 void murk_map_file_release(murk_section *sections, size_t n);
 
 /* Reads one section as an array of one element, without reading the others, in

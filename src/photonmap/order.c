@@ -8,16 +8,19 @@
  *
  * With several threads and enough leaves, the upper levels are split one after
  * the other, the nodes of a level in parallel with one thread for each node;
- * the subtrees below are then ordered in parallel. Otherwise one thread orders
- * the whole tree. */
+ * the subtrees below are then ordered in parallel. Ranks that share the records
+ * divide the nodes of a level and the subtrees, too. Otherwise one thread
+ * orders the whole tree. */
 #include "photonmap/order.h"
 
 #include "base/interrupt.h"
 #include "base/pool.h"
+#include "base/ranks.h"
 #include "photonmap/range_test.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #if defined(__SSE2__)
@@ -48,7 +51,10 @@
 typedef struct ordering {
     murk_photon *photons;
     size_t n;
-    size_t span; /* leaves in a node of this step, a power of 2 */
+    size_t span;          /* leaves in a node of this step, a power of 2 */
+    murk_ranks_here here; /* the ranks that share the records, which divide the
+                           * nodes of a step, if is_shared */
+    bool is_shared;
 } ordering;
 
 /* A word of a record as a number: comparing the words one after the other is
@@ -329,31 +335,71 @@ static void order_subtree(const ordering *o, size_t first, size_t span)
     order_subtree(o, first + span / 2 * MURK_LEAF, span / 2);
 }
 
-static void split_job(void *context, uint64_t node)
+/* The number of the k-th node that is dealt to this rank. */
+static size_t node_of(const ordering *o, uint64_t k)
 {
-    const ordering *o = context;
-    split(o, (size_t)node * o->span * MURK_LEAF, o->span);
+    return (size_t)k * o->here.count + o->here.number;
 }
 
-static void subtree_job(void *context, uint64_t node)
+static void split_job(void *context, uint64_t k)
 {
     const ordering *o = context;
-    order_subtree(o, (size_t)node * o->span * MURK_LEAF, o->span);
+    split(o, node_of(o, k) * o->span * MURK_LEAF, o->span);
+}
+
+static void subtree_job(void *context, uint64_t k)
+{
+    const ordering *o = context;
+    order_subtree(o, node_of(o, k) * o->span * MURK_LEAF, o->span);
+}
+
+/* Runs the job for the nodes that are dealt to this rank, and waits for the
+ * other ranks. */
+static murk_status run_nodes(ordering *o, unsigned threads, size_t nodes,
+                             murk_job job, murk_status status, murk_error *err)
+{
+    const size_t count = o->here.count;
+    if (!status) {
+        murk_pool_run(threads, nodes / count + (o->here.number < nodes % count),
+                      job, o);
+        status = murk_interrupt_check(err);
+    }
+    return o->is_shared ? murk_ranks_agree(status, err) : status;
+}
+
+static murk_status order(ordering *o, unsigned threads, murk_status status,
+                         murk_error *err)
+{
+    const size_t leaves = (o->n + MURK_LEAF - 1) / MURK_LEAF;
+    const bool is_divided =
+        leaves > LEAVES_SERIAL && (threads > 1 || o->here.count > 1);
+    o->span = 1;
+    while (o->span < leaves) {
+        o->span *= 2;
+    }
+    /* The ranks of another machine may have no records, and wait as often. */
+    for (size_t nodes = 1; nodes < SUBTREES; nodes *= 2) {
+        status = run_nodes(o, threads, is_divided ? nodes : 0, split_job,
+                           status, err);
+        o->span /= is_divided ? 2 : 1;
+    }
+    return run_nodes(o, threads, is_divided ? SUBTREES : 1, subtree_job, status,
+                     err);
 }
 
 int murk_order(murk_photon *photons, size_t n, unsigned threads)
 {
-    const size_t leaves = (n + MURK_LEAF - 1) / MURK_LEAF;
-    ordering o = {.photons = photons, .n = n, .span = 1};
-    while (o.span < leaves) {
-        o.span *= 2;
-    }
-    size_t nodes = 1;
-    if (threads > 1 && leaves > LEAVES_SERIAL) {
-        for (; nodes < SUBTREES; nodes *= 2, o.span /= 2) {
-            murk_pool_run(threads, nodes, split_job, &o);
-        }
-    }
-    murk_pool_run(threads, nodes, subtree_job, &o);
-    return !murk_interrupted();
+    murk_error err;
+    ordering o = {.photons = photons, .n = n, .here = {.count = 1}};
+    return !order(&o, threads, MURK_OK, &err);
+}
+
+murk_status murk_order_shared(murk_photon *photons, size_t n, unsigned threads,
+                              murk_status status, murk_error *err)
+{
+    ordering o = {.photons = photons,
+                  .n = n,
+                  .here = murk_ranks_on_machine(),
+                  .is_shared = true};
+    return order(&o, threads, status, err);
 }

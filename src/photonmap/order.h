@@ -11,6 +11,7 @@
 #ifndef MURK_PHOTONMAP_ORDER_H
 #define MURK_PHOTONMAP_ORDER_H
 
+#include "base/status.h"
 #include "photonmap/photon.h"
 
 #include <stddef.h>
@@ -18,6 +19,11 @@
 /* Orders the records. Positions must be finite. Returns false if the run was
  * interrupted; the records are then complete, in some order. */
 int murk_order(murk_photon *photons, size_t n, unsigned threads);
+
+/* The same for records that the ranks of a machine share (base/block.h), which
+ * divide the work. Collective. Fails with MURK_INTERRUPTED. */
+murk_status murk_order_shared(murk_photon *photons, size_t n, unsigned threads,
+                              murk_status status, murk_error *err);
 
 /* Selection: moves the record that sorting along the axis would put at place k
  * < n to that place, with no later record before it and no earlier record after

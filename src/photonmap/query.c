@@ -65,7 +65,7 @@ static void prefetch(const murk_photon_map *map, unsigned level, size_t box)
                              ? (const char *)(map->photons + box * MURK_LEAF)
                              : (const char *)(map->bounds[level - 1] + box);
     const size_t bytes =
-        level == 0 ? MURK_LEAF * sizeof *map->photons : sizeof *map->memory;
+        level == 0 ? MURK_LEAF * sizeof *map->photons : sizeof(murk_bounds);
     for (size_t i = 0; i < bytes; i += CACHE_LINE) {
         __builtin_prefetch(memory + i);
     }

@@ -9,21 +9,22 @@
 #ifndef MURK_PHOTONMAP_TREE_H
 #define MURK_PHOTONMAP_TREE_H
 
+#include "base/block.h"
 #include "photonmap/range_test.h"
 
 /* The largest number of levels: 32 * 16^7 = 2^33 photons. */
 #define MURK_KDTREE_LEVELS 7
 
 struct murk_photon_map {
+    murk_block block, bounds_memory; /* of the records, and of the boxes */
     murk_photon *photons;
     size_t n;
     const murk_range_test *test;
     unsigned levels; /* 0 if the map is empty; the last level is one group */
-    murk_bounds *bounds[MURK_KDTREE_LEVELS]; /* pointers into `memory`, by
+    murk_bounds *bounds[MURK_KDTREE_LEVELS]; /* in bounds_memory, by
                                               * level */
     size_t n_bounds[MURK_KDTREE_LEVELS];     /* number of boxes in use, not of
                                               * groups */
-    murk_bounds *memory;
 };
 
 static inline size_t murk_groups_of(size_t bounds)

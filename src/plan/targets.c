@@ -88,8 +88,8 @@ murk_status murk_targets_create(murk_targets *out, const murk_stage *stage,
     if (!status) {
         status = murk_record_list_map(&out->volume, &made.volume, threads, err);
     }
-    free(made.surface.photon);
-    free(made.volume.photon);
+    murk_record_list_release(&made.surface);
+    murk_record_list_release(&made.volume);
     out->facts = made.facts;
     out->independent =
         stage->scene->placement.targets.points ? 1 : made.facts.points;
@@ -109,7 +109,7 @@ murk_status murk_targets_check(const murk_stage *stage, unsigned threads,
     murk_target_records made = {
         .stage = stage, .threads = threads, .max = CHECK_KEEPS};
     const murk_status status = fill(&made, err);
-    free(made.surface.photon);
-    free(made.volume.photon);
+    murk_record_list_release(&made.surface);
+    murk_record_list_release(&made.volume);
     return status;
 }

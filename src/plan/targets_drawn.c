@@ -192,9 +192,10 @@ static murk_status accept_wave(drawing *d, uint64_t *points, uint64_t *draws,
         for (int k = 0; k < f->n; ++k) {
             murk_photon_set_emitted(&f->photon[k],
                                     (uint32_t)(d->to->facts.points + *points));
-            if (!murk_record_list_put(d->list, &f->photon[k])) {
-                return murk_no_memory(err, "placement.targets",
-                                      "for more than %zu targets", d->list->n);
+            const murk_status status =
+                murk_record_list_put(d->list, &f->photon[k], err);
+            if (status) {
+                return status;
             }
         }
         *points += f->n > 0;

@@ -132,9 +132,7 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     murk_photon_set_power_w(&photon, value[WEIGHT]);
     l->weight += value[WEIGHT];
     return murk_record_list_put(is_volume ? &l->to->volume : &l->to->surface,
-                                &photon)
-               ? MURK_OK
-               : murk_no_memory(err, l->table->path, "for its targets");
+                                &photon, err);
 }
 
 murk_status murk_targets_read(murk_target_records *records, murk_error *err)

@@ -31,8 +31,9 @@ typedef struct share {
 /* The power [W] of photon i, times the factor of the regions of interest. */
 static double power_of(const murk_covered_photons *m, size_t i)
 {
-    return m->list ? (double)m->list->power_w[i]
-                   : murk_sight_power_w(m->sight, i);
+    return m->power_w ? m->power_w[i]
+           : m->list  ? (double)m->list->power_w[i]
+                      : murk_sight_power_w(m->sight, i);
 }
 
 /* The map of photon i: 0 surface, 1 volume. */
@@ -276,9 +277,27 @@ void murk_covered_photons_release(murk_covered_photons *covered)
     free(covered->seen_by);
 }
 
-murk_status murk_covered_photons_sum_up(murk_coverage_result *out,
-                                        const murk_covered_photons *m,
-                                        murk_error *err)
+/* Errors are summed in the order of emitted photons, which asks for records all
+ * over the maps. If these are in a scratch file, every record would be read
+ * from the disk by itself, so the powers are copied in the order of the records
+ * first; for free(). *status: MURK_NO_MEMORY if there is no memory. */
+static double *copy_powers(const murk_covered_photons *m, murk_status *status,
+                           murk_error *err)
+{
+    double *power_w = NULL;
+    if (m->sight && murk_sight_is_in_file(m->sight)) {
+        power_w = malloc(m->photons * sizeof *power_w + 1);
+        *status = power_w ? MURK_OK
+                          : murk_no_memory(err, "", "for the power of photons");
+    }
+    for (size_t i = 0; power_w && i < m->photons; ++i) {
+        power_w[i] = murk_sight_power_w(m->sight, i);
+    }
+    return power_w;
+}
+
+static murk_status sum_up(murk_coverage_result *out,
+                          const murk_covered_photons *m, murk_error *err)
 {
     uint64_t *sorted = NULL;
     share part[2];
@@ -299,4 +318,19 @@ murk_status murk_covered_photons_sum_up(murk_coverage_result *out,
     find_errors(out, m, part, sorted);
     free(sorted);
     return MURK_OK;
+}
+
+murk_status murk_covered_photons_sum_up(murk_coverage_result *out,
+                                        const murk_covered_photons *covered,
+                                        murk_error *err)
+{
+    murk_status status = MURK_OK;
+    double *power_w = copy_powers(covered, &status, err);
+    murk_covered_photons m = *covered;
+    m.power_w = power_w;
+    if (!status) {
+        status = sum_up(out, &m, err);
+    }
+    free(power_w);
+    return status;
 }

@@ -24,6 +24,8 @@ typedef struct murk_covered_photons {
     const murk_sight_desc *desc;
     const murk_sight *sight; /* the stored photons; NULL: `list` */
     const murk_photon_list *list;
+    const double *power_w; /* [photons] of the stored photons; NULL: to be asked
+                              of the sight */
     size_t sensors, photons, surface_photons;
     const uint32_t *weight;        /* [photons] */
     murk_combined_rows combined;   /* the rows of the sensors */

@@ -197,6 +197,10 @@ const murk_photon *murk_sight_photon(const murk_sight *sight, size_t i);
 uint64_t murk_sight_regions(const murk_sight *sight, size_t i);
 double murk_sight_power_w(const murk_sight *sight, size_t i);
 
+/* True if the photons are in a scratch file, so that they should be read in
+ * their order. */
+bool murk_sight_is_in_file(const murk_sight *sight);
+
 /* The description that the sight was made from. */
 const murk_sight_desc *murk_sight_described(const murk_sight *sight);
 

@@ -373,6 +373,12 @@ double murk_sight_power_w(const murk_sight *sight, size_t i)
                           : murk_photon_power_w(photon);
 }
 
+bool murk_sight_is_in_file(const murk_sight *sight)
+{
+    return murk_photon_map_is_in_file(sight->desc.surface_map) ||
+           murk_photon_map_is_in_file(sight->desc.volume_map);
+}
+
 const murk_sight_desc *murk_sight_described(const murk_sight *sight)
 {
     return &sight->desc;

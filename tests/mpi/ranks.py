@@ -259,9 +259,10 @@ def full_disk(folder, room):
     out = os.path.join(folder, "full")
     done([MURK, "trace", room, "--emit", "1500", "-q", "-o", out])
     before = listing(out)
-    # Shared memory of MPI would be limited, too: ranks talk by TCP.
+    # Shared memory of MPI would be limited, too: ranks talk by TCP; and so would be shared records: a tally is large.
     words = [MPIRUN, "-q", "--mca", "btl", "self,tcp", "-n", "3", "sh", "-c", 'ulimit -f 64; exec "$@"', "sh", MURK_MPI,
-             "trace", room, "--emit", "60000", "-j", "1", "-q", "-o", out]
+             "trace", room, "--set", "photons={emit: 1500, maps: none}", "--set", "tallies=[{name: grid, type: grid, "
+             "min_m: [0, 0, 0], max_m: [6, 4, 3], size: [60, 40, 30]}]", "-j", "1", "-q", "-o", out]
     ran = run(words)
     check_ended("full disk", out, ran.returncode, ran.stderr, [1])
     check("cannot write" in ran.stderr, ran.stderr)

@@ -82,9 +82,16 @@ static bool is_empty(const murk_photon_map *map)
     return !map || murk_photon_map_count(map) == 0;
 }
 
+/* Whether a rank is on the machine of rank 0, with which it then shares the
+ * maps, even if rank 0 alone keeps the records. */
+static bool is_beside_first(unsigned rank, unsigned count)
+{
+    return count <= THREAD_RANKS_ONE_MACHINE || rank % 2 == 0;
+}
+
 /* Traces in ranks. *same_sums: all ranks have the ledger and the tallies of
- * `whole`; *same_records: its packets and its maps, which rank 0 alone may
- * have. */
+ * `whole`; *same_records: its packets and its maps, which other machines than
+ * that of rank 0 may lack. */
 static void compare(const murk_traced *whole, const job *settings,
                     unsigned count, thread_ranks_defect defect, bool *same_sums,
                     bool *same_records)
@@ -102,7 +109,7 @@ static void compare(const murk_traced *whole, const job *settings,
                      same_tallies(whole->tallies, light->tallies);
         *same_records =
             *same_records && same_packets(whole, light) &&
-            (j.in_first && r > 0
+            (j.in_first && !is_beside_first(r, count)
                  ? is_empty(light->surface) && is_empty(light->volume)
                  : same_map(whole->surface, light->surface) &&
                        same_map(whole->volume, light->volume));

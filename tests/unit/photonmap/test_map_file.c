@@ -29,9 +29,10 @@ static void test_sections_come_back(void)
     for (size_t i = 0; i < sizeof first; ++i) {
         first[i] = (unsigned char)(i * 7 + i / 256);
     }
-    const murk_section given[] = {{"surface", first, sizeof first},
-                                  {"empty", NULL, 0},
-                                  {"fifteen-letters", third, 1}};
+    const murk_section given[] = {
+        murk_section_of("surface", first, sizeof first),
+        murk_section_of("empty", NULL, 0),
+        murk_section_of("fifteen-letters", third, 1)};
     /* Write and read the file. */
     murk_section *got = NULL;
     size_t n = 0;
@@ -69,7 +70,7 @@ static void test_no_sections_are_fine(void)
 static void test_same_sections_same_file(void)
 {
     char bytes[2][200];
-    const murk_section given = {"scene", path, sizeof path};
+    const murk_section given = murk_section_of("scene", path, sizeof path);
     size_t size[2] = {0};
     for (int i = 0; i < 2; ++i) {
         CHECK(murk_map_file_write(path, &given, 1, NULL) == MURK_OK);
@@ -86,7 +87,7 @@ static void test_same_sections_same_file(void)
 static void test_unwritable_place_is_named(void)
 {
     murk_error err = {0};
-    const murk_section given = {"scene", path, sizeof path};
+    const murk_section given = murk_section_of("scene", path, sizeof path);
     CHECK(murk_map_file_write("no/such/folder/x", &given, 1, &err) ==
           MURK_RUN_FAILED);
     CHECK_TEXT(err.where, "no/such/folder/x");
