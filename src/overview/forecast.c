@@ -135,18 +135,20 @@ static rank_share share_of(const murk_session *session, const murk_poses *poses,
         .records_bytes = others * records * sizeof(murk_photon),
         /* The sums are part of the memory for one thread. */
         .sums_bytes = ranks > 1 ? murk_tallies_bytes(session->stage, 1) : 0};
-    /* In an unknown environment every rank computes the rows that it asks
-     * for. */
-    if (!is_unknown(session)) {
-        share.rows = rows_of(poses) / n;
-        share.rows_bytes = others * share.matrix_bytes;
-        if (murk_matrix_spreads(rows_of(poses), records, ranks)) {
-            share.matrix_bytes /= n;
-            /* Fewer candidates are compared in pairs, for which all ranks
-             * receive one row after the other. */
-            if (rows_of(poses) > MURK_PRESOLVE_CANDIDATES_MAX) {
-                share.rows_bytes = 0;
-            }
+    /* In an unknown environment ranks divide the first look at each candidate,
+     * and receive the rows that are remembered. */
+    share.rows = rows_of(poses) / n;
+    share.rows_bytes =
+        others * (is_unknown(session)
+                      ? memory_of_rows(session, share.matrix_bytes)
+                      : share.matrix_bytes);
+    if (!is_unknown(session) &&
+        murk_matrix_spreads(rows_of(poses), records, ranks)) {
+        share.matrix_bytes /= n;
+        /* Fewer candidates are compared in pairs, for which all ranks receive
+         * one row after the other. */
+        if (rows_of(poses) > MURK_PRESOLVE_CANDIDATES_MAX) {
+            share.rows_bytes = 0;
         }
     }
     return share;

@@ -11,6 +11,8 @@
 #include "base/ranks.h"
 #include "base/sort.h"
 #include "placement/presolve.h"
+#include "placement/row_exchange.h"
+#include "placement/work_count.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,7 +44,9 @@ typedef struct evaluation {
     bool *is_clear;    /* [n] receive whether all entries are MURK_CLEAR */
     const murk_row_need *need; /* NULL: all gains are exact */
     size_t n, at_once;
-    bool is_max; /* upper bounds instead of gains */
+    bool is_max;     /* upper bounds instead of gains */
+    bool is_divided; /* the first evaluation of each candidate in an unknown
+                        environment: ranks divide the candidates */
 } evaluation;
 
 /* The row of a candidate if it is stored. */
@@ -151,7 +155,8 @@ static void evaluate_first(const evaluation *w, unsigned worker, size_t batch)
     murk_sparse_row entries;
     murk_row row;
     murk_progress_add(1);
-    if (o->matrix && !murk_matrix_has(o->matrix, candidate)) {
+    if ((o->matrix && !murk_matrix_has(o->matrix, candidate)) ||
+        (w->is_divided && !murk_row_is_own(batch))) {
         return;
     }
     /* Evaluate the row. */
@@ -332,9 +337,67 @@ void murk_ranked_sort(murk_ranked *ranked, size_t n)
     qsort(ranked, n, sizeof *ranked, murk_compare_ranked);
 }
 
+static murk_ranked ranked_of(const murk_evaluator *o, uint32_t candidate)
+{
+    return (murk_ranked){murk_evaluator_gain_bound(o, candidate), candidate};
+}
+
+/* Fails if a row of this rank that may be cached was not stored: the other
+ * ranks would take it for an empty one. */
+static murk_status check_stored(const evaluation *w, murk_error *err)
+{
+    const murk_evaluator *o = w->evaluator;
+    bool is_missing = false;
+    for (size_t k = 0; k < w->n; ++k) {
+        is_missing |=
+            murk_row_is_own(k) && !w->offered[k].memory &&
+            murk_ranked_rows_wants(&o->cached, ranked_of(o, w->candidate[k]));
+    }
+    return is_missing ? murk_no_memory(err, "", "for rows of %zu candidates",
+                                       o->candidates)
+                      : MURK_OK;
+}
+
+/* Gives all ranks the gains, slacks and rows of a group of candidates, of which
+ * each rank has those of its own candidates. */
+static murk_status exchange_group(const evaluation *w, murk_status status,
+                                  murk_error *err)
+{
+    const murk_evaluator *o = w->evaluator;
+    uint64_t word[3 * ROWS_OFFERED];
+    murk_row_space space; /* without a limit: rows that are not cached are freed
+                             soon */
+    if (!status) {
+        status = check_stored(w, err);
+    }
+    /* Numbers. */
+    for (size_t k = 0; k < w->n; ++k) {
+        word[3 * k] = w->gain[k];
+        word[3 * k + 1] = w->slack ? w->slack[k] : 0;
+        word[3 * k + 2] = !w->is_clear[k];
+    }
+    status = murk_ranks_sum(word, 3 * w->n, false, status, err);
+    for (size_t k = 0; k < w->n && !status; ++k) {
+        w->gain[k] = word[3 * k];
+        w->is_clear[k] = !word[3 * k + 2];
+        if (w->slack) {
+            w->slack[k] = word[3 * k + 1];
+        }
+    }
+    /* Rows. */
+    if (o->cached.max_bytes > 0) {
+        murk_row_space_init(&space, 0, UINT64_MAX);
+        status = murk_row_exchange(w->offered, w->n, &space,
+                                   murk_row_bytes_max(o->layout), status, err);
+        murk_row_space_release(&space);
+    }
+    return status;
+}
+
 /* Unknown environment: asks the problem for the row of each candidate, and
  * caches rows. Their candidates are evaluated in groups of ROWS_OFFERED, and
- * the rows of a group are offered in order. */
+ * the rows of a group are offered in order. Ranks divide the candidates of a
+ * group. */
 static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
                                       murk_error *err)
 {
@@ -342,11 +405,13 @@ static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
     bool is_clear[ROWS_OFFERED];
     uint32_t candidate[ROWS_OFFERED];
     bool is_binary = true;
+    const murk_work_count work = murk_work_count_begin(o->problem);
+    murk_status status = MURK_OK;
+    w.is_divided = murk_ranks_count() > 1;
     w.candidate = candidate;
     w.offered = row;
     w.is_clear = is_clear;
-    for (size_t first = 0; first < o->candidates && !murk_interrupted();
-         first += w.n) {
+    for (size_t first = 0; first < o->candidates && !status; first += w.n) {
         const size_t left = o->candidates - first;
         w.n = left < ROWS_OFFERED ? left : ROWS_OFFERED;
         w.gain = o->single_value + first;
@@ -357,19 +422,23 @@ static murk_status evaluate_and_cache(murk_evaluator *o, evaluation w,
             is_clear[k] = true;
         }
         evaluate_in_batches(&w, o->problem->threads);
+        status = murk_interrupt_check(err);
+        if (w.is_divided) {
+            status = exchange_group(&w, status, err);
+        }
         for (size_t k = 0; k < w.n; ++k) {
             is_binary = is_binary && is_clear[k];
-            murk_ranked_rows_offer(
-                &o->cached,
-                (murk_ranked){murk_evaluator_gain_bound(o, candidate[k]),
-                              candidate[k]},
-                &row[k]);
+            murk_ranked_rows_offer(&o->cached, ranked_of(o, candidate[k]),
+                                   &row[k]);
         }
     }
-    /* The cached rows are the stored ones. */
-    if (murk_interrupted()) {
-        return murk_fail(err, MURK_INTERRUPTED, "", "interrupted");
+    if (w.is_divided) {
+        status = murk_work_count_add(&work, status, err);
     }
+    if (status) {
+        return status;
+    }
+    /* The cached rows are the stored ones. */
     const size_t count = o->cached.count;
     o->row = o->cached.row;
     o->row_bytes = count > 0 ? (size_t)o->cached.bytes / count : 0;
@@ -457,8 +526,11 @@ static murk_status evaluate_singles(murk_evaluator *o, murk_error *err)
     for (unsigned k = 1; k < threads; ++k) {
         murk_cover_join(&seen[0], o->layout, &seen[k]);
     }
-    if (murk_evaluator_is_distributed(o)) {
+    if (murk_evaluator_is_distributed(o) ||
+        (!o->matrix && murk_ranks_count() > 1)) {
         status = join_ranks(&seen[0], o->layout, status, err);
+    }
+    if (murk_evaluator_is_distributed(o)) {
         murk_evaluator_complete(o, o->single_value, o->candidates);
         murk_evaluator_complete(o, o->slack, o->slack ? o->candidates : 0);
     }

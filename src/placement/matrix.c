@@ -16,6 +16,7 @@
 #include "base/tally.h"
 #include "placement/merge.h"
 #include "placement/row_exchange.h"
+#include "placement/work_count.h"
 
 #include <assert.h>
 #include <math.h>
@@ -62,8 +63,7 @@ static const char *of_rank(const murk_matrix *matrix)
 /* Upper bound on the bytes of the rows, for any entries. */
 static uint64_t max_possible(const murk_layout *layout, size_t candidates)
 {
-    return (uint64_t)candidates *
-           (sizeof(murk_row) + 64 + layout->slots * sizeof(uint16_t));
+    return (uint64_t)candidates * murk_row_bytes_max(layout);
 }
 
 static void fill_row(void *context, unsigned worker, uint64_t batch)
@@ -190,43 +190,6 @@ static murk_status check_rows(const fill_task *f, murk_error *err)
     return murk_row_space_check(f->matrix->space, err);
 }
 
-/* Counters of work, and their values when ranks begin to divide the work. */
-typedef struct work_count {
-    murk_counters list;
-    int64_t before[MURK_COUNTERS_MAX];
-} work_count;
-
-static work_count begin_work(const murk_problem *problem)
-{
-    work_count w = {.list = {.n = 0}};
-    if (problem->list_counters) {
-        problem->list_counters(problem->context, &w.list);
-    }
-    for (size_t i = 0; i < w.list.n; ++i) {
-        w.before[i] = murk_tally_read(w.list.counter[i]);
-    }
-    return w;
-}
-
-/* Adds the work of the other ranks to the counters. */
-static murk_status add_work(const work_count *w, murk_status status,
-                            murk_error *err)
-{
-    uint64_t work[MURK_COUNTERS_MAX];
-    const size_t n = w->list.n;
-    for (size_t i = 0; i < n; ++i) {
-        work[i] =
-            (uint64_t)(murk_tally_read(w->list.counter[i]) - w->before[i]);
-    }
-    status = murk_ranks_sum(work, n, false, status, err);
-    for (size_t i = 0; i < n && !status; ++i) {
-        const int64_t now = murk_tally_read(w->list.counter[i]);
-        murk_tally_add(w->list.counter[i],
-                       w->before[i] + (int64_t)work[i] - now);
-    }
-    return status;
-}
-
 /* Gives all ranks the rows, unless the matrix is distributed, and the hashes of
  * the columns that the others have computed. */
 static murk_status exchange(fill_task *f, murk_status status, murk_error *err)
@@ -235,9 +198,9 @@ static murk_status exchange(fill_task *f, murk_status status, murk_error *err)
     uint64_t *sum = NULL;
     const size_t photons = f->hash ? f->problem->photons : 0;
     if (!matrix->is_distributed) {
-        status = murk_row_exchange(
-            matrix->row, matrix->candidates, matrix->space,
-            (size_t)max_possible(&matrix->layout, 1), status, err);
+        status =
+            murk_row_exchange(matrix->row, matrix->candidates, matrix->space,
+                              murk_row_bytes_max(&matrix->layout), status, err);
     }
     if (photons > 0 && !status) {
         sum = malloc(photons * sizeof *sum);
@@ -265,7 +228,7 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
     if (may_exceed && problem->candidates > 0) {
         status = forecast(&f, err);
     }
-    const work_count work = begin_work(problem);
+    const murk_work_count work = murk_work_count_begin(problem);
     if (!status) {
         murk_pool_run_workers(problem->threads,
                               murk_ranks_share(problem->candidates), fill_own,
@@ -278,7 +241,7 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
     status = status ? status : murk_interrupt_check(err);
     status = status ? status : check_rows(&f, err);
     if (murk_ranks_count() > 1) {
-        status = add_work(&work, status, err);
+        status = murk_work_count_add(&work, status, err);
         status = exchange(&f, status, err);
     }
     if (status) {

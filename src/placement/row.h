@@ -47,6 +47,12 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
 /* True if all clarities are MURK_CLEAR. */
 bool murk_row_is_clear(const murk_sparse_row *entries);
+/* The most bytes that a row takes, whatever its entries. */
+static inline size_t murk_row_bytes_max(const murk_layout *layout)
+{
+    return sizeof(murk_row) + 64 + layout->slots * sizeof(uint16_t);
+}
+
 /* The number of bytes that murk_row_store() would allocate. */
 size_t murk_row_bytes(const murk_layout *layout,
                       const murk_sparse_row *entries);

@@ -1,7 +1,8 @@
 /* Ranks that divide the rows of the coverage matrix have the matrix of one rank
  * afterwards: entries, pairs, merged photons, counters of work and plans, with
  * rows in memory and in a scratch file. An exchange that loses a rank's sums or
- * changes a bit of its rows is noticed. Seeds are fixed. */
+ * changes a bit of its rows is noticed. The same holds for rows that a search
+ * in an unknown environment remembers. Seeds are fixed. */
 #include "base/log.h"
 #include "check.h"
 #include "made_up.h"
@@ -10,7 +11,11 @@
 
 #include <string.h>
 
-enum { PHOTONS = 1000, CANDIDATES = 29 }; /* no multiple of a rank count */
+enum {
+    PHOTONS = 1000,
+    CANDIDATES = 29,         /* no multiple of a rank count */
+    CANDIDATES_UNKNOWN = 301 /* more than one group of the first look */
+};
 
 /* A problem that counts the rows that are asked for. */
 typedef struct counted {
@@ -39,6 +44,7 @@ typedef struct job {
     unsigned threads;
     uint64_t memory_bytes;
     murk_merging merging;
+    size_t unknown; /* candidates in an unknown environment */
     /* of each rank */
     counted problem[THREAD_RANKS_MAX];
     murk_matrix *matrix[THREAD_RANKS_MAX];
@@ -213,11 +219,84 @@ static void test_a_rank_that_fails_ends_all(void)
     made_up_destroy(j.problem[2].m);
 }
 
+/* ---- unknown environment: no matrix; ranks divide the first look ---- */
+
+static murk_status place_unknown(void *context, unsigned number,
+                                 murk_error *err)
+{
+    job *j = context;
+    counted *c = &j->problem[number];
+    c->m = made_up_create(9, PHOTONS, j->unknown, j->share, j->levels, 2,
+                          j->threads);
+    c->problem = c->m->problem;
+    c->problem.get_row = counted_row;
+    c->problem.list_counters = list_counters;
+    c->problem.context = c;
+    murk_place_desc desc = murk_place_defaults();
+    desc.count = 4;
+    desc.restarts = 2;
+    desc.row_memory = j->memory_bytes;
+    return murk_place_sensors(&j->plan[number], &c->problem, NULL, &desc, err);
+}
+
+static verdict compare_unknown(const job *settings, unsigned count,
+                               thread_ranks_defect defect)
+{
+    job one = *settings, all = *settings;
+    thread_ranks_end end =
+        thread_ranks_run(1, THREAD_RANKS_SOUND, place_unknown, &one);
+    CHECK(thread_ranks_succeeded(&end, 1));
+    end = thread_ranks_run(count, defect, place_unknown, &all);
+    verdict v = {.has_succeeded = thread_ranks_succeeded(&end, count),
+                 .same_counters = true,
+                 .same_plans = true};
+    for (unsigned r = 0; r < count && v.has_succeeded; ++r) {
+        v.same_counters =
+            v.same_counters && murk_tally_read(&all.problem[r].rows) ==
+                                   murk_tally_read(&one.problem[0].rows);
+        v.same_plans = v.same_plans && same_plan(&all.plan[r], &one.plan[0]) &&
+                       all.plan[r].queries == one.plan[0].queries &&
+                       all.plan[r].upper == one.plan[0].upper;
+    }
+    release(&one, 1);
+    release(&all, count);
+    return v;
+}
+
+/* All rows are remembered, some, or none. */
+static void test_ranks_divide_an_unknown_environment(void)
+{
+    static const uint64_t memory[] = {UINT64_MAX, 100000, 0};
+    static const double share[] = {0.02, 0.3, 0.9};
+    for (size_t k = 0; k < sizeof memory / sizeof *memory; ++k) {
+        for (unsigned count = 1; count <= 5; count += 2) {
+            const job j = {.share = share[(k + count) % 3],
+                           .levels = k % 2 ? 9 : 1,
+                           .threads = 1 + (unsigned)k % 2,
+                           .memory_bytes = memory[k],
+                           .unknown = CANDIDATES_UNKNOWN};
+            const verdict v = compare_unknown(&j, count, THREAD_RANKS_SOUND);
+            CHECK(v.has_succeeded && v.same_counters && v.same_plans);
+        }
+    }
+    /* A wrong exchange is noticed, if all candidates belong to the plan. */
+    const job j = {.share = 0.3,
+                   .levels = 9,
+                   .threads = 1,
+                   .memory_bytes = UINT64_MAX,
+                   .unknown = 4};
+    verdict v = compare_unknown(&j, 3, THREAD_RANKS_LOSE_WORDS);
+    CHECK(!v.has_succeeded || !v.same_counters || !v.same_plans);
+    v = compare_unknown(&j, 3, THREAD_RANKS_FLIP_BIT);
+    CHECK(!v.has_succeeded || !v.same_plans);
+}
+
 int main(void)
 {
     test_ranks_have_the_matrix_of_one(UINT64_MAX);
     test_ranks_have_the_matrix_of_one(0);
     test_a_wrong_exchange_is_noticed();
     test_a_rank_that_fails_ends_all();
+    test_ranks_divide_an_unknown_environment();
     return check_done();
 }
