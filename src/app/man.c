@@ -196,12 +196,18 @@ static void program_page(FILE *to, const murk_fields *version)
     }
     roff(to, ".PP\n@\n", murk_help_files);
     /* Environment, examples and exit codes. */
-    roff(to,
-         ".SH ENVIRONMENT\n.TP\n\\fBTERM\\fR\n@\n.PP\n"
-         "murk writes no colours, with NO_COLOR or without.\n",
-         "Where it is dumb or not set, progress is told in whole lines, of "
-         "which there are few, as it is where --progress always writes to a "
-         "file.");
+    roff(
+        to,
+        ".SH ENVIRONMENT\n.TP\n\\fBMURK_MEMORY_MB\\fR\n@\n"
+        ".TP\n\\fBTMPDIR\\fR\n@\n.TP\n\\fBTERM\\fR\n@\n.PP\n"
+        "murk writes no colours, with NO_COLOR or without.\n",
+        "Memory for the records of a photon map, in MiB; records beyond it lie "
+        "in a scratch file. Default: seven tenths of the free memory.",
+        "The folder of scratch files, else /var/tmp; not a file system in "
+        "memory.",
+        "Where it is dumb or not set, progress is told in whole lines, of "
+        "which there are few, as it is where --progress always writes to a "
+        "file.");
     examples(to, murk_command_find("place")->example);
     exit_status(to);
     fputs(".SH SEE ALSO\n.BR murk\\-place (1),\n.BR murk\\-scene (5),\n"

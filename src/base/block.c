@@ -1,6 +1,8 @@
 /* Blocks of memory on the heap or in mapped files (base/block.h). The space of
  * a scratch file is reserved on the disk before the file is mapped, because a
- * write to a mapped page for which the disk has no space ends the process. */
+ * write to a mapped page for which the disk has no space ends the process. File
+ * systems that write changed data to another place (btrfs, ZFS) or that are
+ * shared by a network cannot promise so much. */
 #include "base/block.h"
 
 #include "base/machine.h"
@@ -33,7 +35,11 @@ double murk_block_memory_bytes(void)
 
 murk_block murk_block_of(void *bytes, size_t size)
 {
-    return (murk_block){.bytes = size ? bytes : NULL, .size = size};
+    if (size == 0) {
+        free(bytes);
+        bytes = NULL;
+    }
+    return (murk_block){.bytes = bytes, .size = size};
 }
 
 void murk_block_release(murk_block *block)
@@ -148,8 +154,11 @@ static murk_status resize_in_file(murk_block *block, size_t size,
     munmap(block->bytes, block->size);
     block->bytes = bytes;
     block->size = size;
-    return grows ? MURK_OK
-                 : size_file(block->fd, block->place, size, false, err);
+    /* A file that cannot be cut is longer than the block. */
+    if (!grows) {
+        (void)size_file(block->fd, block->place, size, false, NULL);
+    }
+    return MURK_OK;
 }
 
 /* ---- any block ---- */
@@ -238,6 +247,7 @@ murk_status murk_block_open(murk_block *out, const murk_block_address *a,
     snprintf(path, sizeof path, "/proc/%llu/fd/%llu",
              (unsigned long long)a->process, (unsigned long long)a->fd);
     made.fd = open(path, O_RDWR | O_CLOEXEC);
+    int reason = made.fd < 0 ? errno : ESTALE;
     const bool is_right = made.fd >= 0 && fstat(made.fd, &facts) == 0 &&
                           facts.st_dev == a->device && facts.st_ino == a->inode;
     made.bytes = is_right ? map_file(made.fd, made.size) : NULL;
@@ -245,7 +255,8 @@ murk_status murk_block_open(murk_block *out, const murk_block_address *a,
         if (made.fd >= 0) {
             close(made.fd);
         }
-        return not_shared(a->size, is_right ? ENOMEM : EACCES, err);
+        reason = is_right ? ENOMEM : reason;
+        return not_shared(a->size, reason, err);
     }
     *out = made;
     return MURK_OK;

@@ -16,14 +16,16 @@ typedef struct version {
     const char *controller; /* in the list of groups */
     const char *folder;     /* below the root */
     const char *limit, *usage;
-    const char *inactive; /* key of memory.stat: pages of files not in use */
+    const char *inactive, *active; /* keys of memory.stat: pages of files, which
+                                    * the system takes back when it is short */
 } version;
 
 static const version versions[] = {
     {"memory", "/memory", "memory.limit_in_bytes", "memory.usage_in_bytes",
-     "total_inactive_file"},
-    {"", "", "memory.max", "memory.current", "inactive_file"},
-    {"", "/unified", "memory.max", "memory.current", "inactive_file"}};
+     "total_inactive_file", "total_active_file"},
+    {"", "", "memory.max", "memory.current", "inactive_file", "active_file"},
+    {"", "/unified", "memory.max", "memory.current", "inactive_file",
+     "active_file"}};
 
 /* The number in a file of a group; NAN if there is none, as for "max". */
 static double read_number(const char *folder, const char *name)
@@ -73,7 +75,8 @@ static double left_in(const version *v, const char *root, const char *group)
         const double limit = read_number(folder, v->limit);
         const double usage = read_number(folder, v->usage);
         if (limit >= 0 && usage >= 0) {
-            left = fmin(left, limit - usage + read_stat(folder, v->inactive));
+            left = fmin(left, limit - usage + read_stat(folder, v->inactive) +
+                                  read_stat(folder, v->active));
         }
         char *slash = strrchr(folder, '/');
         goes_on = slash && slash - folder >= base;
@@ -99,6 +102,21 @@ static bool split_line(char *line, char **controllers, char **group)
     return true;
 }
 
+/* True if a list of controllers, separated by commas, has this one; the empty
+ * list is that of version 2. */
+static bool has_controller(const char *list, const char *name)
+{
+    const size_t length = strlen(name);
+    bool has = strcmp(list, name) == 0;
+    for (const char *at = list; !has && length > 0 && at;) {
+        has = strncmp(at, name, length) == 0 &&
+              (at[length] == ',' || at[length] == '\0');
+        at = strchr(at, ',');
+        at = at ? at + 1 : NULL;
+    }
+    return has;
+}
+
 double murk_memory_group_bytes(const char *list, const char *root)
 {
     char line[LINE_SIZE];
@@ -110,7 +128,7 @@ double murk_memory_group_bytes(const char *list, const char *root)
             continue;
         }
         for (size_t i = 0; i < sizeof versions / sizeof *versions; ++i) {
-            if (strcmp(controllers, versions[i].controller) == 0) {
+            if (has_controller(controllers, versions[i].controller)) {
                 left = fmin(left, left_in(&versions[i], root, group));
             }
         }

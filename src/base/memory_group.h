@@ -3,9 +3,10 @@
 #ifndef MURK_BASE_MEMORY_GROUP_H
 #define MURK_BASE_MEMORY_GROUP_H
 
-/* The memory that the groups leave [bytes], where pages of files that are not
- * in use count as free; INFINITY without a limit. `list` is the file with the
- * groups of a process (/proc/self/cgroup), `root` the folder of all groups
+/* The memory that the groups leave [bytes], where pages of files count as
+ * free, because the system takes them back; INFINITY without a limit. `list` is
+ * the file with the groups of a process (/proc/self/cgroup), `root` the folder
+ * of all groups
  * (/sys/fs/cgroup), of version 1 or 2.
  *
  * Source: Linux kernel documentation, admin-guide/cgroup-v1/memory.rst and

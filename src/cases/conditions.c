@@ -4,6 +4,7 @@
 #include "cases/conditions.h"
 
 #include "base/machine.h"
+#include "base/scratch_file.h"
 #include "cases/scenario_mean.h"
 #include "photonmap/map.h"
 #include "plan/plan.h"
@@ -177,11 +178,12 @@ static const murk_condition *find_alike(const murk_conditions *all, size_t c)
 
 /* Fails if the maps of the first all->n conditions, those of conditions with
  * the same light counted once, and the largest additional memory of one trace
- * together exceed the free memory. Dark conditions are not counted. */
+ * together exceed the free memory, or their scratch files the disk. Dark
+ * conditions are not counted. */
 static murk_status check_memory(const murk_conditions *all, unsigned threads,
                                 murk_error *err)
 {
-    double stay = 0, more = 0;
+    double stay = 0, more = 0, scratch = 0;
     size_t lights = 0;
     /* Add up the maps that stay in memory; find the largest amount that one
      * trace needs besides. */
@@ -195,19 +197,26 @@ static murk_status check_memory(const murk_conditions *all, unsigned threads,
         if (status) {
             return status;
         }
-        const double mine = murk_photon_map_memory_for(f.surface + f.volume);
+        const double mine =
+            f.scratch_bytes > 0
+                ? f.memory_bytes
+                : murk_photon_map_memory_for(f.surface + f.volume);
         stay += mine;
         more = fmax(more, f.memory_bytes - mine);
+        scratch += f.scratch_bytes;
         ++lights;
     }
-    /* Compare with the free memory. */
+    /* Compare with the free memory and the disk. */
     const double have = murk_machine_memory_bytes();
-    return stay + more <= have
+    const double disk = murk_scratch_free_bytes();
+    return stay + more <= have && scratch <= disk
                ? MURK_OK
                : murk_fail(err, MURK_BAD_VALUE, all->scene->placement.where,
                            "over: the light of %zu conditions takes about "
-                           "%.3g GB; this machine has %.3g GB free",
-                           lights, (stay + more) / 1e9, have / 1e9);
+                           "%.3g GB of memory and %.3g GB of disk space; this "
+                           "machine has %.3g GB and, in %s, %.3g GB free",
+                           lights, (stay + more) / 1e9, scratch / 1e9,
+                           have / 1e9, murk_scratch_folder(), disk / 1e9);
 }
 
 /* Traces the light of one condition unless it has light already, or takes the

@@ -97,7 +97,9 @@ murk_status murk_checkpoint_read(murk_light_parts **out, const char *path,
         status = murk_light_parts_read(out, &path, 1, stage, &why);
         murk_inputs_forget(&before);
     }
-    if (status && status != MURK_NO_MEMORY) {
+    /* A file that another run has left, or that is damaged, is no reason to
+     * end; one that could not be read here would be lost. */
+    if (status == MURK_BAD_FILE || status == MURK_BAD_VALUE) {
         murk_warn(why.where,
                   "this checkpoint is not used, and light is traced from the "
                   "begin: %s",

@@ -272,19 +272,23 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
     return set_packet_powers(traced, &all, err);
 }
 
-/* Where the lists of records lie: both in a scratch file if the forecast says
- * so, else in memory, as long as they are not much longer than forecast. Of the
- * ranks of a machine the first has them, which shares their memory with the
- * others. */
+/* The largest size of a list in memory, if the other one has `other` records as
+ * forecast and half of that as unused memory. */
+static double list_max(double memory, double other)
+{
+    return fmax(1, memory - 1.5 * sizeof(murk_photon) * other);
+}
+
+/* Where the lists of records lie: both in scratch files if the forecast says
+ * so, else in memory, as long as both fit there. Of the ranks of a machine the
+ * first has them, which shares their memory with the others. */
 static void place_records(murk_record_buffers *buffers,
                           const murk_forecast *forecast)
 {
-    const double records = forecast->surface + forecast->volume;
     const double memory =
-        forecast->scratch_bytes > 0 ? 1 : murk_block_memory_bytes();
-    const double surface = records > 0 ? forecast->surface / records : 0.5;
-    buffers->surface.memory_max = fmax(1, memory * surface);
-    buffers->volume.memory_max = fmax(1, memory * (1 - surface));
+        forecast->scratch_bytes > 0 ? 0 : murk_block_memory_bytes();
+    buffers->surface.memory_max = list_max(memory, forecast->volume);
+    buffers->volume.memory_max = list_max(memory, forecast->surface);
     buffers->surface.block.is_for_ranks = buffers->volume.block.is_for_ranks =
         murk_ranks_on_machine().count > 1;
     buffers->passes = !murk_ranks_keeps_shared();

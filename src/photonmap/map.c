@@ -111,19 +111,21 @@ static murk_status make_bounds(murk_photon_map *map, bool is_shared,
                                murk_status status, murk_error *err)
 {
     const size_t size = measure_levels(map) * sizeof(murk_bounds);
+    const murk_ranks_here here = murk_ranks_on_machine();
+    const bool is_for_ranks = is_shared && here.count > 1;
+    murk_block *block = &map->bounds_memory;
+    block->is_for_ranks = is_for_ranks;
+    /* Vector registers are loaded from whole cache lines, as pages of a file
+     * have them. */
+    if (!status && is_for_ranks && here.number == 0) {
+        status = murk_block_resize(block, size, INFINITY, err);
+    } else if (!status && !is_for_ranks && size > 0) {
+        *block = murk_block_of(aligned_alloc(64, size), size);
+        status =
+            block->bytes ? MURK_OK : murk_no_memory(err, WHERE, "for its tree");
+    }
     if (is_shared) {
-        const bool is_first = murk_ranks_on_machine().number == 0;
-        map->bounds_memory.is_for_ranks = murk_ranks_on_machine().count > 1;
-        if (!status && is_first) {
-            status =
-                murk_block_resize(&map->bounds_memory, size, INFINITY, err);
-        }
-        status = murk_ranks_share_block(&map->bounds_memory, status, err);
-    } else if (!status && size > 0) {
-        map->bounds_memory = murk_block_of(aligned_alloc(64, size), size);
-        status = map->bounds_memory.bytes
-                     ? MURK_OK
-                     : murk_no_memory(err, WHERE, "for its tree");
+        status = murk_ranks_share_block(block, status, err);
     }
     murk_bounds *next = map->bounds_memory.bytes;
     for (unsigned level = 0; level < map->levels && !status; ++level) {

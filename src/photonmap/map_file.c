@@ -4,11 +4,13 @@
 #include "photonmap/map_file.h"
 
 #include "base/file.h"
+#include "base/ranks.h"
 #include "base/scratch_file.h"
 #include "photonmap/photon.h"
 
 #include <assert.h>
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -246,6 +248,10 @@ static bool is_wanted(const entry *section, const selection *s)
            (!s->only || strncmp(section->name, s->only, size) == 0);
 }
 
+/* Sections from this size on may lie in a scratch file [bytes]: smaller ones
+ * are not worth a file (a choice). */
+#define LARGE ((size_t)1 << 16)
+
 /* Refuses a section for which neither memory nor disk suffice. */
 static murk_status check_disk(size_t size, const char *path, murk_error *err)
 {
@@ -264,14 +270,22 @@ static murk_status take_memory(murk_section *section, double *memory_left,
                                const char *path, murk_error *err)
 {
     murk_status status = MURK_OK;
-    if ((double)section->size > *memory_left) {
-        status = check_disk(section->size, path, err);
+    murk_block *block = &section->block;
+    const size_t size = section->size;
+    const bool is_large = size >= LARGE;
+    block->is_for_ranks = is_large && murk_ranks_on_machine().count > 1;
+    /* In a scratch file, where ranks share it, or on the heap. */
+    if (is_large && (double)size > *memory_left) {
+        status = check_disk(size, path, err);
         if (!status) {
-            status = murk_block_resize(&section->block, section->size, 0, err);
+            status = murk_block_resize(block, size, 0, err);
         }
+    } else if (block->is_for_ranks) {
+        status = murk_block_resize(block, size, INFINITY, err);
+        *memory_left -= (double)size;
     } else {
-        const size_t padded = (section->size / 64 + 1) * 64;
-        section->block = murk_block_of(aligned_alloc(64, padded), padded);
+        const size_t padded = (size / 64 + 1) * 64;
+        *block = murk_block_of(aligned_alloc(64, padded), padded);
         *memory_left -= (double)padded;
     }
     section->bytes = section->block.bytes;
@@ -316,7 +330,9 @@ static murk_status read_sections(murk_section **out, size_t *n,
         (status = read_table(table, fd, &head, path, err))) {
         goto done;
     }
-    double memory_left = murk_block_memory_bytes();
+    /* All ranks of a machine may read the file. */
+    double memory_left =
+        murk_block_memory_bytes() / murk_ranks_on_machine().count;
     /* Read or skip one section after the other. */
     sections = calloc(head.n_sections + 1, sizeof *sections);
     if (!sections) {

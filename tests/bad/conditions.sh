@@ -69,9 +69,13 @@ over='--set placement.over=worst'
     # a file of one condition, named at its place there
     refused 2 'conditions.smoke.media.fog' \
         'conditions: {smoke: {media.fog: {vdb: none.vdb, extinction_per_m: 1, albedo: 0}}}' $over
-    # light of all together that no machine holds, told before any is traced
+    # light of all together that no machine holds, told before any is traced;
+    # in memory, because a disk may hold it
+    MURK_MEMORY_MB=1000000000
+    export MURK_MEMORY_MB
     refused 2 'over: the light of 2 conditions takes about' "$good" $over \
         --set 'photons={emit: 4e9, max_stored: 4e9}'
+    unset MURK_MEMORY_MB
     refused 2 'target 0.999 cannot be reached in the worst condition' "$good" $over --target 0.999
     # one condition's crate fills the room where the other's candidates are
     refused 2 'usable' 'conditions: {empty: {}, full: {geometry: [{box: {min_m: [0.1, 0.1, 0.1],

@@ -49,16 +49,25 @@ cmp "$dir/trace-none/light.murk" "$dir/merged-none/light.murk"
 same place-much place-none
 same sense-much sense-none
 [ "$compared" -ge 14 ] || { echo "only $compared comparisons"; exit 1; }
-# Records in a file, and no such folder.
-status=0
-said=$(MURK_MEMORY_MB=0 TMPDIR=/nowhere/at/all "$murk" trace "$scene" \
-    --store 2000 --quiet -o "$dir/nowhere" 2>&1) || status=$?
-case "$said" in
-*/nowhere/at/all*) ;;
-*) status=0 ;;
-esac
-[ "$status" -ne 0 ] && [ "$(echo "$said" | wc -l)" = 1 ] && [ ! -e "$dir/nowhere" ] || {
-    echo "no scratch folder: $said"
-    exit 1
+# Records in a file, and no such folder: each command needs one.
+MURK_MEMORY_MB=0
+TMPDIR=/nowhere/at/all
+export MURK_MEMORY_MB TMPDIR
+refused() {
+    status=0
+    said=$("$murk" "$@" --quiet -o "$dir/nowhere" 2>&1) || status=$?
+    case "$said" in
+    */nowhere/at/all*) ;;
+    *) status=0 ;;
+    esac
+    [ "$status" -ne 0 ] && [ "$(echo "$said" | wc -l)" = 1 ] && [ ! -e "$dir/nowhere" ] || {
+        echo "no scratch folder: $1: $said"
+        exit 1
+    }
 }
+refused trace "$scene" --store 20000
+refused merge "$dir/part1-much" "$dir/part2-much"
+refused place "$scene" --store 20000
+refused sense "$scene" --store 20000 --light "$dir/place-much/light.murk" \
+    --sensors "$dir/place-much/plan.json"
 echo "$compared files compared"

@@ -168,13 +168,18 @@ static void *live(void *context)
     return NULL;
 }
 
-static murk_ranks_here here_of(unsigned count, unsigned rank)
+murk_ranks_here thread_ranks_here(unsigned count, unsigned rank)
 {
-    const unsigned machines = count > THREAD_RANKS_ONE_MACHINE ? 2 : 1;
+    const bool is_one_machine = count <= THREAD_RANKS_ONE_MACHINE;
+    const unsigned others = is_one_machine ? count : count - 1;
+    const unsigned machines = is_one_machine ? 1 : 2;
     const unsigned first = rank % machines;
-    return (murk_ranks_here){.first = first,
-                             .count = (count - first + machines - 1) / machines,
-                             .number = rank / machines};
+    return rank == others
+               ? (murk_ranks_here){.first = rank, .count = 1}
+               : (murk_ranks_here){.first = first,
+                                   .count = (others - first + machines - 1) /
+                                            machines,
+                                   .number = rank / machines};
 }
 
 static thread_ranks_end run(unsigned count, thread_ranks_defect defect,
@@ -196,7 +201,7 @@ static thread_ranks_end run(unsigned count, thread_ranks_defect defect,
                             .ranks = {.number = r,
                                       .count = count,
                                       .threads = 1,
-                                      .here = here_of(count, r),
+                                      .here = thread_ranks_here(count, r),
                                       .context = &ranks[r],
                                       .agree = agree,
                                       .sum = sum,

@@ -1,7 +1,8 @@
 /* Ranks (base/ranks.h) as threads of one process, for tests without MPI. Each
  * rank is a thread that works for a host of its own. Up to
- * THREAD_RANKS_ONE_MACHINE ranks count as being on one machine, and of more,
- * those with even and those with odd numbers as being on two machines. A defect
+ * THREAD_RANKS_ONE_MACHINE ranks count as being on one machine. Of more, the
+ * last is on a machine of its own, and the others are on two machines, those
+ * with even and those with odd numbers. A defect
  * makes one exchange slightly wrong, which shows that a test would notice. */
 #ifndef MURK_TESTS_THREAD_RANKS_H
 #define MURK_TESTS_THREAD_RANKS_H
@@ -21,6 +22,9 @@ typedef enum thread_ranks_defect {
                               * checksums (murk_ranks_compare()) */
     THREAD_RANKS_DEAL_TWICE, /* the counter gives the number 1 twice */
 } thread_ranks_defect;
+
+/* The machine of a rank of `count`. */
+murk_ranks_here thread_ranks_here(unsigned count, unsigned rank);
 
 /* Work of one rank. It must not use CHECK(), which is not for threads. */
 typedef murk_status (*thread_ranks_work)(void *context, unsigned number,

@@ -115,6 +115,7 @@ static void test_memory_by_the_environment(void)
 
 typedef struct sharing {
     bool is_for_ranks, is_empty;
+    double memory_max;
     const void *bytes[THREAD_RANKS_MAX];
     bool has_content[THREAD_RANKS_MAX];
 } sharing;
@@ -127,7 +128,7 @@ static murk_status share(void *context, unsigned number, murk_error *err)
     murk_block block = {.is_for_ranks = s->is_for_ranks};
     murk_status status = MURK_OK;
     if (here.number == 0 && !s->is_empty) {
-        status = murk_block_resize(&block, WORDS * 8, INFINITY, err);
+        status = murk_block_resize(&block, WORDS * 8, s->memory_max, err);
         if (!status) {
             fill(&block, 0, WORDS / 2);
         }
@@ -148,9 +149,12 @@ static murk_status share(void *context, unsigned number, murk_error *err)
     return status;
 }
 
-static void test_ranks_share(unsigned count, bool is_for_ranks, bool is_empty)
+static void test_ranks_share(unsigned count, bool is_for_ranks, bool is_empty,
+                             double memory_max)
 {
-    sharing s = {.is_for_ranks = is_for_ranks, .is_empty = is_empty};
+    sharing s = {.is_for_ranks = is_for_ranks,
+                 .is_empty = is_empty,
+                 .memory_max = memory_max};
     const thread_ranks_end end =
         thread_ranks_run(count, THREAD_RANKS_SOUND, share, &s);
     CHECK(thread_ranks_succeeded(&end, count));
@@ -186,11 +190,12 @@ int main(void)
     test_taken_memory_moves();
     test_full_disk_is_an_error();
     test_memory_by_the_environment();
-    test_ranks_share(1, false, false);
-    test_ranks_share(3, false, false);
-    test_ranks_share(3, true, false);
-    test_ranks_share(5, true, false);
-    test_ranks_share(5, true, true);
+    test_ranks_share(1, false, false, INFINITY);
+    test_ranks_share(3, false, false, INFINITY);
+    test_ranks_share(3, true, false, INFINITY);
+    test_ranks_share(5, true, false, INFINITY);
+    test_ranks_share(5, true, true, INFINITY);
+    test_ranks_share(5, true, false, 0);
     test_wrong_address_is_refused();
     return check_done();
 }

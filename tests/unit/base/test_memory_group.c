@@ -38,7 +38,8 @@ static void test_version_2(void)
     CHECK(mkdir(path_of("job/step"), 0700) == 0);
     put("job/memory.max", "1000\n");
     put("job/memory.current", "700\n");
-    put("job/memory.stat", "anon 600\ninactive_file 50\nslab 9\n");
+    put("job/memory.stat",
+        "anon 600\ninactive_file 30\nslab 9\nactive_file 20\n");
     put("job/step/memory.max", "max\n");
     put("job/step/memory.current", "600\n");
     CHECK(left_of("0::/job/step\n") == 350);
@@ -57,6 +58,11 @@ static void test_version_1(void)
     put("memory/memory.usage_in_bytes", "100\n");
     put("memory/memory.stat", "inactive_file 1\ntotal_inactive_file 7\n");
     CHECK(left_of("3:cpu:/x\n4:memory:/docker/abc\n0::/\n") == 407);
+    CHECK(left_of("3:cpuset,memory,cpu:/x\n") == 407);
+    CHECK(isinf(left_of("3:cpu,memoryless:/x\n")));
+    /* Without a limit the number is near 2^63. */
+    put("memory/memory.limit_in_bytes", "9223372036854771712\n");
+    CHECK(left_of("4:memory:/docker/abc\n") > 9e18);
 }
 
 static void test_no_limit(void)
