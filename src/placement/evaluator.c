@@ -31,11 +31,17 @@
  * of so many rows is needed besides that of the cached ones (a choice). */
 #define ROWS_OFFERED 256
 
+/* So many rows in a scratch file are evaluated in the order in which they lie
+ * there; fewer are read too far apart (a choice). */
+#define ORDERED_MIN 1024
+
 /* A task for the thread pool: gains of n candidates. */
 typedef struct evaluation {
     const murk_evaluator *evaluator;
     const murk_cover *cover;
     const uint32_t *candidate; /* NULL: candidate k is k */
+    const uint64_t *order;     /* [n] the order of evaluation: k in the low half
+                                  of each; NULL: k = 0, 1, ... */
     uint64_t *gain;
     murk_cover *seen;  /* [threads] covers, each of which receives the rows that
                           the thread evaluates; or NULL */
@@ -209,16 +215,23 @@ static void evaluate(const evaluation *w, unsigned worker, size_t batch)
             : 0;
 }
 
+/* The place in candidate[] and gain[] of the k-th evaluation. */
+static size_t place_of(const evaluation *w, size_t k)
+{
+    return w->order ? (uint32_t)w->order[k] : k;
+}
+
 /* Prefetches the next row if all are stored, as rows lie in separate blocks of
  * memory. */
 static void prefetch_next(const evaluation *w, size_t k, size_t end)
 {
     if (w->evaluator->has_all_rows && k + 1 < end) {
         const murk_row *row = w->evaluator->row;
-        const char *next = row[candidate_of(w, k + 1)].memory;
+        const size_t after = k + 2 < end ? k + 2 : k + 1;
+        const char *next = row[candidate_of(w, place_of(w, k + 1))].memory;
         __builtin_prefetch(next);
         __builtin_prefetch(next + 64);
-        __builtin_prefetch(&row[candidate_of(w, k + 2 < end ? k + 2 : k + 1)]);
+        __builtin_prefetch(&row[candidate_of(w, place_of(w, after))]);
     }
 }
 
@@ -227,7 +240,7 @@ static void evaluate_range(const evaluation *w, unsigned worker, size_t begin,
 {
     for (size_t k = begin; k < end; ++k) {
         prefetch_next(w, k, end);
-        evaluate(w, worker, k);
+        evaluate(w, worker, place_of(w, k));
     }
 }
 
@@ -283,13 +296,37 @@ void murk_evaluator_run(const murk_evaluator *evaluator, size_t n,
     }
 }
 
+/* The order of evaluation by candidate, for free(), if rows lie in a scratch
+ * file: rows were written there nearly in this order, so that each page of the
+ * file comes into memory once. NULL: the order does not matter, or there is no
+ * memory. */
+static uint64_t *order_of(const evaluation *w)
+{
+    const murk_matrix *matrix = w->evaluator->matrix;
+    uint64_t *order = NULL;
+    if (matrix && w->n >= ORDERED_MIN &&
+        murk_tally_read(&matrix->space->in_file) > 0) {
+        order = malloc(w->n * sizeof *order);
+    }
+    for (size_t k = 0; order && k < w->n; ++k) {
+        order[k] = (uint64_t)candidate_of(w, k) << 32 | k;
+    }
+    if (order) {
+        murk_sort_uint64(order, w->n);
+    }
+    return order;
+}
+
 static void evaluate_candidates(evaluation w, unsigned threads, unsigned worker)
 {
+    uint64_t *order = order_of(&w);
+    w.order = order;
     if (threads > 1 && murk_evaluator_threads(w.evaluator, w.n) > 1) {
         evaluate_in_batches(&w, threads);
     } else {
         evaluate_range(&w, worker, 0, w.n);
     }
+    free(order);
     murk_evaluator_complete(w.evaluator, w.gain, w.n);
 }
 

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "check.h"
 #include "made_up.h"
+#include "placement/evaluator.h"
 #include "placement/matrix.h"
 
 #include <signal.h>
@@ -47,7 +48,8 @@ static murk_place_result plan(const made_up *m, const murk_matrix *matrix,
     return result;
 }
 
-/* Compares plans from a matrix with those from a matrix in memory. */
+/* Compares plans from a matrix with those from a matrix in
+ * memory. */
 static void check_plans(const made_up *m, const murk_matrix *memory,
                         const murk_matrix *other)
 {
@@ -125,8 +127,51 @@ static void test_too_little_disk_to_merge(void)
     made_up_destroy(m);
 }
 
+enum { MANY = 1200 };
+
+/* The gains of all candidates, from the last one to the first. */
+static void gains_of(const made_up *m, const murk_matrix *matrix,
+                     uint64_t gain[MANY])
+{
+    uint32_t candidate[MANY];
+    murk_evaluator evaluator;
+    murk_cover empty;
+    murk_error err = {0};
+    CHECK(!murk_evaluator_init(&evaluator, &m->problem, matrix, NULL, 4, 0,
+                               true, &err));
+    CHECK(murk_cover_init(&empty, evaluator.layout, evaluator.is_binary));
+    for (uint32_t k = 0; k < MANY; ++k) {
+        candidate[k] = MANY - 1 - k;
+        gain[k] = 0;
+    }
+    murk_evaluator_gains(&evaluator, &empty, candidate, MANY, 2, 0, gain);
+    murk_cover_release(&empty);
+    murk_evaluator_release(&evaluator);
+}
+
+/* So many rows in a file are evaluated in the order of the file. */
+static void test_many_rows_in_a_file(void)
+{
+    uint64_t in_memory[MANY], in_file[MANY];
+    made_up *m = made_up_create(11, 200, MANY, 0.05, 9, 3, 2);
+    murk_matrix *memory = NULL, *file = NULL;
+    murk_error err = {0};
+    CHECK(!murk_matrix_create(&memory, &m->problem, UINT64_MAX, &err));
+    CHECK(!murk_matrix_create(&file, &m->problem, 0, &err));
+    if (memory && file) {
+        gains_of(m, memory, in_memory);
+        gains_of(m, file, in_file);
+        CHECK(in_memory[7] > 0);
+        CHECK(memcmp(in_memory, in_file, sizeof in_memory) == 0);
+    }
+    murk_matrix_destroy(memory);
+    murk_matrix_destroy(file);
+    made_up_destroy(m);
+}
+
 int main(void)
 {
+    test_many_rows_in_a_file();
     murk_warn_to(NULL); /* the forecasts */
     test_rows(MURK_ROW_BITS, .3, 1);
     test_rows(MURK_ROW_PACKED, .3, 50);
