@@ -24,6 +24,14 @@
 #define MADV_COLLAPSE 25
 #endif
 
+double murk_machine_address_bytes(void)
+{
+    struct rlimit limit;
+    return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
+               ? (double)limit.rlim_cur
+               : INFINITY;
+}
+
 double murk_machine_memory_bytes(void)
 {
     double bytes = INFINITY;
@@ -38,10 +46,7 @@ double murk_machine_memory_bytes(void)
         }
         fclose(file);
     }
-    struct rlimit limit;
-    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-        bytes = fmin(bytes, (double)limit.rlim_cur);
-    }
+    bytes = fmin(bytes, murk_machine_address_bytes());
     return fmin(bytes,
                 murk_memory_group_bytes("/proc/self/cgroup", "/sys/fs/cgroup"));
 }

@@ -11,6 +11,9 @@
  * there is none of these. */
 double murk_machine_memory_bytes(void);
 
+/* The limit on the address space of this process [bytes]; INFINITY without. */
+double murk_machine_address_bytes(void);
+
 /* The largest resident memory of this process so far [bytes]; NAN if unknown.
  */
 double murk_machine_peak_bytes(void);

@@ -148,7 +148,7 @@ done:
 }
 
 /* Fails with MURK_BAD_VALUE if the forecast exceeds max_stored, or the free
- * memory and, beyond it, the space for a scratch file. */
+ * memory and, beyond it, the space and the addresses for a scratch file. */
 static murk_status check_forecast(const murk_forecast *forecast,
                                   const murk_scene_photons *settings,
                                   murk_error *err)
@@ -160,6 +160,16 @@ static murk_status check_forecast(const murk_forecast *forecast,
                          "%llu), max_stored allows %llu",
                          records, (unsigned long long)forecast->pilot_photons,
                          (unsigned long long)settings->max_stored);
+    }
+    /* A mapped file that grows is mapped twice for a moment. */
+    const double addresses = murk_machine_address_bytes();
+    if (2 * forecast->scratch_bytes > addresses) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "about %.3g photons would be stored, which takes %.3g "
+                         "GB of addresses; this process has %.3g GB free "
+                         "(ulimit -v)",
+                         records, 2 * forecast->scratch_bytes / 1e9,
+                         addresses / 1e9);
     }
     /* Memory, and the disk if the records lie in a scratch file. */
     const double have = murk_machine_memory_bytes();
