@@ -3,6 +3,7 @@
 #include "api/matrix_settings.h"
 
 #include "api/scene.h"
+#include "base/machine.h"
 #include "plan/plan.h"
 #include "plan/poses.h"
 #include "scene/yaml.h"

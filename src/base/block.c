@@ -22,14 +22,12 @@
 /* The share of the free memory for blocks (a choice). */
 #define FREE_SHARE 0.7
 
-#define BYTES_PER_MB 1048576.0 /* 2^20: MURK_MEMORY_MB is in MiB */
-
 double murk_block_memory_bytes(void)
 {
     const char *text = getenv("MURK_MEMORY_MB");
     double megabytes;
     return text && murk_number_parse(text, &megabytes) && megabytes >= 0
-               ? megabytes * BYTES_PER_MB
+               ? megabytes * MURK_BYTES_PER_MB
                : FREE_SHARE * murk_machine_memory_bytes();
 }
 

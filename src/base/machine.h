@@ -5,6 +5,9 @@
 
 #include <stddef.h>
 
+/* The unit of sizes of memory that users give: MiB. */
+#define MURK_BYTES_PER_MB 1048576.0
+
 /* The memory that is available without swapping [bytes]: the smallest of
  * MemAvailable of /proc/meminfo, the limit on the address space of this
  * process, and what its control groups leave (base/memory_group.h). INFINITY if

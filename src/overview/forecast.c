@@ -7,6 +7,7 @@
  * keeps unless the matrix is large. */
 #include "overview/parts.h"
 
+#include "base/machine.h"
 #include "base/print.h"
 #include "base/scratch_file.h"
 #include "placement/problem.h"
@@ -35,7 +36,7 @@ static double matrix_bytes(const murk_session *session, const murk_poses *poses,
  * altogether: in an unknown environment of those that placement remembers. */
 static double memory_of_rows(const murk_session *session, double bytes)
 {
-    return fmin(session->scene->placement.memory_mb * 1048576, bytes);
+    return fmin(session->scene->placement.memory_mb * MURK_BYTES_PER_MB, bytes);
 }
 
 static bool is_unknown(const murk_session *session)

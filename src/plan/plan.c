@@ -4,6 +4,7 @@
 #include "plan/plan.h"
 
 #include "base/log.h"
+#include "base/machine.h"
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "placement/at_least.h"

@@ -70,9 +70,6 @@ size_t murk_plan_at_least(const murk_scene_desc *scene);
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
-/* The unit of placement.memory_mb. */
-#define MURK_BYTES_PER_MB 1048576.0
-
 /* The solver settings of the scene, without constraints and target. */
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 

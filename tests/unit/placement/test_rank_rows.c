@@ -38,6 +38,15 @@ static void list_counters(void *context, murk_counters *list)
     list->counter[list->n++] = &c->rows;
 }
 
+/* Makes the problem that counts, of c->m. */
+static void count_rows(counted *c)
+{
+    c->problem = c->m->problem;
+    c->problem.get_row = counted_row;
+    c->problem.list_counters = list_counters;
+    c->problem.context = c;
+}
+
 typedef struct job {
     double share;
     uint32_t levels;
@@ -67,10 +76,7 @@ static murk_status make(void *context, unsigned number, murk_error *err)
                            : row == 5 ? MURK_CLEAR
                                       : c->m->clarity[i];
     }
-    c->problem = c->m->problem;
-    c->problem.get_row = counted_row;
-    c->problem.list_counters = list_counters;
-    c->problem.context = c;
+    count_rows(c);
     murk_place_desc desc = murk_place_defaults();
     desc.count = 4;
     desc.restarts = 2;
@@ -228,10 +234,7 @@ static murk_status place_unknown(void *context, unsigned number,
     counted *c = &j->problem[number];
     c->m = made_up_create(9, PHOTONS, j->unknown, j->share, j->levels, 2,
                           j->threads);
-    c->problem = c->m->problem;
-    c->problem.get_row = counted_row;
-    c->problem.list_counters = list_counters;
-    c->problem.context = c;
+    count_rows(c);
     murk_place_desc desc = murk_place_defaults();
     desc.count = 4;
     desc.restarts = 2;
