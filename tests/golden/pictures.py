@@ -128,21 +128,29 @@ def read_png(path):
     for y in range(height):
         start = y * (3 * width + 1)
         row = unfilter(raw[start], bytearray(raw[start + 1:start + 1 + 3 * width]), before)
-        rows.append([tuple(row[3 * x:3 * x + 3]) for x in range(width)])
+        rows.append(list(zip(row[0::3], row[1::3], row[2::3])))
         before = row
     return width, height, rows, texts
 
 
 def unfilter(kind, row, above):
-    for i, value in enumerate(row):
-        left, up = (row[i - 3] if i >= 3 else 0), above[i]
-        corner = above[i - 3] if i >= 3 else 0
-        if kind == 4:
-            guess = left + up - corner
-            guess = min((left, up, corner), key=lambda c: abs(guess - c))
-        else:
-            guess = (0, left, up, (left + up) // 2)[kind]
-        row[i] = (value + guess) & 255
+    """A row of 8-bit RGB without its filter (PNG 1.2, section 6), in place. Written without a
+    function call per byte: pictures have millions of them."""
+    if kind == 2:
+        row[:] = bytes((value + up) & 255 for value, up in zip(row, above))
+    elif kind:
+        for channel in range(3):
+            left = corner = 0
+            for i in range(channel, len(row), 3):
+                up = above[i]
+                if kind == 4:
+                    to_left, to_up = abs(up - corner), abs(left - corner)
+                    to_corner = abs(left + up - 2 * corner)
+                    guess = left if to_left <= to_up and to_left <= to_corner else up if to_up <= to_corner else corner
+                else:
+                    guess = left if kind == 1 else (left + up) // 2
+                left, corner = (row[i] + guess) & 255, up
+                row[i] = left
     return row
 
 

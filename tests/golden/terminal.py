@@ -6,6 +6,7 @@ usage: terminal.py MURK
 """
 
 import fcntl
+import functools
 import glob
 import json
 import os
@@ -81,9 +82,9 @@ def on_terminal(words, columns, terminal="xterm", **environment):
     return sent.decode("utf-8", "replace").replace("\r\n", "\n")
 
 
-def photons_for(seconds, scene):
-    """So many that tracing takes a processor here about that long, without the
-    start of the program, and the clock no less, whatever runs beside it."""
+@functools.lru_cache(maxsize=None)
+def photons_a_second(scene):
+    """That a processor traces here, without the start of the program."""
     def user_s(photons):
         times_s = [] # beside other work a processor's second is worth less
         for _ in range(3):
@@ -96,7 +97,13 @@ def photons_for(seconds, scene):
     photons = 20000
     while (traced_s := user_s(photons) - start_s) < 0.2:
         photons *= 2
-    return str(int(photons * seconds / traced_s))
+    return photons / traced_s
+
+
+def photons_for(seconds, scene):
+    """So many that tracing takes a processor here about that long, and the
+    clock no less, whatever runs beside it."""
+    return str(int(photons_a_second(scene) * seconds))
 
 
 def check_progress(scene):
