@@ -145,6 +145,25 @@ murk_status murk_ranks_gather(murk_gathered *out, const void *bytes,
     return status;
 }
 
+murk_status murk_ranks_join(void *array, size_t n, size_t item_bytes,
+                            murk_status status, murk_error *err)
+{
+    if (murk_ranks_count() == 1) {
+        return status;
+    }
+    const size_t begin = (size_t)murk_ranks_begin(n);
+    const size_t own = ((size_t)murk_ranks_end(n) - begin) * item_bytes;
+    /* In the order of the ranks the blocks are the array. */
+    murk_gathered all;
+    status = murk_ranks_gather(&all, (char *)array + begin * item_bytes, own,
+                               status, err);
+    if (!status) {
+        memcpy(array, all.bytes, n * item_bytes);
+    }
+    murk_gathered_release(&all);
+    return status;
+}
+
 void murk_gathered_release(murk_gathered *gathered)
 {
     free(gathered->bytes);

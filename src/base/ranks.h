@@ -79,6 +79,18 @@ static inline bool murk_ranks_owns(uint64_t item)
     return item % murk_ranks_count() == murk_ranks_number();
 }
 
+/* Items that are dealt to ranks in blocks of successive ones: of n items, at
+ * most 2^32, this rank has those from murk_ranks_begin(n) on, up to but not
+ * including murk_ranks_end(n). Not collective. */
+static inline uint64_t murk_ranks_begin(uint64_t n)
+{
+    return n * murk_ranks_number() / murk_ranks_count();
+}
+static inline uint64_t murk_ranks_end(uint64_t n)
+{
+    return n * (murk_ranks_number() + 1) / murk_ranks_count();
+}
+
 /* From here on the host computes as a single process: for work that is dealt
  * out to ranks as a whole. murk_ranks_return() ends this, with what
  * murk_ranks_leave() returned. Not collective. */
@@ -115,6 +127,11 @@ murk_status murk_ranks_sum(uint64_t *word, size_t n, bool is_128,
  * the rest 0. */
 murk_status murk_ranks_complete(void *array, size_t bytes, murk_status status,
                                 murk_error *err);
+
+/* Completes an array of n items of which each rank has filled its block, from
+ * murk_ranks_begin(n) to murk_ranks_end(n). */
+murk_status murk_ranks_join(void *array, size_t n, size_t item_bytes,
+                            murk_status status, murk_error *err);
 
 /* What all ranks gave, in the order of the ranks: rank r gave the bytes from
  * begin[r] to begin[r + 1]. Release also after a failure. */

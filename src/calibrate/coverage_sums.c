@@ -2,6 +2,7 @@
  * parallel over runs of batches. Each run writes only its own sums. */
 #include "calibrate/coverage_sums.h"
 
+#include "base/interrupt.h"
 #include "base/pool.h"
 
 #include <math.h>
@@ -29,11 +30,22 @@ static void add_slopes(double *slope, const murk_coverage_sums *r,
     }
 }
 
+/* The runs that are summed here, and how many they are. */
+static size_t first_run(const murk_coverage_sums *r)
+{
+    return murk_reweighed_first_run(r->reweighed, r->runs);
+}
+static size_t own_runs(const murk_coverage_sums *r)
+{
+    return murk_reweighed_end_run(r->reweighed, r->runs) - first_run(r);
+}
+
 /* Sums the weights of the records of a run, and the derivatives of the
  * weights. */
-static void sum_all(void *context, uint64_t run)
+static void sum_all(void *context, uint64_t number)
 {
     murk_coverage_sums *r = context;
+    const size_t run = first_run(r) + (size_t)number;
     const murk_visible *visible = r->visible;
     double *slope = r->all_slope + run * MURK_MAP_PARTS * r->keys;
     size_t first, last;
@@ -163,13 +175,15 @@ static size_t first_at_least(const murk_sightlines *lines, size_t contribution)
 }
 
 /* Sums the covered weights of one group in one run. */
-static void sum_seen(void *context, uint64_t job)
+static void sum_seen(void *context, uint64_t number)
 {
     murk_coverage_sums *r = context;
-    const size_t group = job / r->runs, run = job % r->runs;
+    const size_t group = (size_t)number / own_runs(r);
+    const size_t run = first_run(r) + (size_t)number % own_runs(r);
     const murk_sightlines *lines = &r->visible->of[group];
     const size_t cells = murk_coverage_cells(r);
-    double *slope = r->in_view_slope + job * MURK_MAP_PARTS * r->keys;
+    double *slope =
+        r->in_view_slope + (group * r->runs + run) * MURK_MAP_PARTS * r->keys;
     /* Scratch arrays. */
     scratch s = {.through = malloc(lines->max * sizeof *s.through + 1),
                  .by = malloc(lines->max * sizeof *s.by + 1),
@@ -234,9 +248,27 @@ size_t murk_coverage_cells(const murk_coverage_sums *sums)
     return sums->visible->acceptances * sums->bands * sums->visible->media;
 }
 
-bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads)
+murk_status murk_coverage_sums_add(murk_coverage_sums *s, unsigned threads,
+                                   murk_error *err)
 {
-    murk_pool_run(threads, sums->runs, sum_all, sums);
-    murk_pool_run(threads, sums->visible->groups * sums->runs, sum_seen, sums);
-    return murk_tally_read(&sums->failures) == 0;
+    const size_t groups = s->visible->groups;
+    murk_pool_run(threads, own_runs(s), sum_all, s);
+    murk_pool_run(threads, groups * own_runs(s), sum_seen, s);
+    murk_status status = murk_interrupt_check(err);
+    if (!status && murk_tally_read(&s->failures)) {
+        status =
+            murk_no_memory(err, "", "for the coverage of %zu groups", groups);
+    }
+    if (s->reweighed->is_divided) {
+        /* Sums of other ranks are 0 here. */
+        const size_t maps = MURK_MAP_PARTS * sizeof(double);
+        const size_t slopes = s->runs * maps * s->keys;
+        status = murk_ranks_complete(s->all, s->batches * maps, status, err);
+        status = murk_ranks_complete(s->all_slope, slopes, status, err);
+        status = murk_ranks_complete(s->in_view, groups * s->batches * maps,
+                                     status, err);
+        status =
+            murk_ranks_complete(s->in_view_slope, groups * slopes, status, err);
+    }
+    return status;
 }

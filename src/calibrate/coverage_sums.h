@@ -54,8 +54,9 @@ void murk_coverage_sums_release(murk_coverage_sums *sums);
 
 size_t murk_coverage_cells(const murk_coverage_sums *sums);
 
-/* Computes all sums. False when out of memory. After an interrupt the sums are
- * incomplete, and the caller must check for an interrupt. */
-bool murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads);
+/* Computes all sums. Collective if ranks divide the evaluation
+ * (calibrate/reweigh.h). Fails with MURK_NO_MEMORY or MURK_INTERRUPTED. */
+murk_status murk_coverage_sums_add(murk_coverage_sums *sums, unsigned threads,
+                                   murk_error *err);
 
 #endif

@@ -4,7 +4,6 @@
  * (calibrate/coverage_ratio.h). */
 #include "calibrate/covered.h"
 
-#include "base/interrupt.h"
 #include "calibrate/coverage_ratio.h"
 #include "plan/plan.h"
 
@@ -199,8 +198,11 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
     /* Check the optics; allocate; fill the bounds of batches, the extinctions
      * and their derivatives. */
     murk_status status = check_others(covered, traced, at, err);
-    bool has_memory = status || murk_coverage_sums_allocate(&sums);
-    if (!status && has_memory) {
+    if (!status && !murk_coverage_sums_allocate(&sums)) {
+        status =
+            murk_no_memory(err, "", "for the coverage of %zu groups", groups);
+    }
+    if (!status) {
         for (size_t b = 0; b <= sums.batches; ++b) {
             sums.bound[b] =
                 murk_histories_first(covered->desc.histories, sums.batches, b);
@@ -210,13 +212,8 @@ murk_status murk_covered_read(const murk_row_sums *out, size_t first,
         status = find_slopes(&sums, covered, traced, sides, err);
     }
     /* Sum. */
-    if (!status && has_memory) {
-        has_memory = murk_coverage_sums_add(&sums, covered->desc.threads);
-    }
-    status = status ? status : murk_interrupt_check(err);
-    if (!status && !has_memory) {
-        status =
-            murk_no_memory(err, "", "for the coverage of %zu groups", groups);
+    if (!status) {
+        status = murk_coverage_sums_add(&sums, covered->desc.threads, err);
     }
     status = status ? status : mix_all(&mix, &sums, covered, err);
     /* Ratio, slopes and contributions of each group. */

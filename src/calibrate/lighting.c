@@ -3,7 +3,6 @@
  * coverage (calibrate/covered.h). */
 #include "calibrate/lighting.h"
 
-#include "base/interrupt.h"
 #include "world/stage_build.h"
 #include "world/units.h"
 
@@ -169,14 +168,14 @@ murk_status murk_lighting_read(murk_lighting_rows *out, const murk_lighting *l,
                                 .batches = d->batches,
                                 .runs = d->runs};
     /* Re-weight, then evaluate receivers and coverage. */
+    reweighed->runs = d->runs;
     murk_status status = murk_reweigh(reweighed, l->histories, l->optics, at,
                                       sides, keys, d->threads, err);
     out->share = status ? 0 : reweighed->effective_share;
     if (!status && instruments->receivers) {
-        murk_receivers_read(&sums, instruments->receiver, l->per_watt,
-                            instruments->receivers, l->histories, reweighed,
-                            d->threads);
-        status = murk_interrupt_check(err);
+        status = murk_receivers_read(&sums, instruments->receiver, l->per_watt,
+                                     instruments->receivers, l->histories,
+                                     reweighed, d->threads, err);
     }
     if (!status && instruments->groups) {
         status = murk_covered_read(&sums, instruments->receivers, l->covered,

@@ -26,8 +26,9 @@ typedef struct job {
     const murk_histories *histories;
     const murk_changes *changes;
     murk_reweighed *out;
-    double *slope; /* [threads][keys]; sums for the present photon of a worker
-                    */
+    double *slope;   /* [threads][keys]; sums for the present photon of a
+                      * worker */
+    size_t from, to; /* range of contributions that are re-weighted here */
 } job;
 
 /* ---- the mean of exp(-x t) over t from 0 to 1, and its slope by x ---- */
@@ -201,8 +202,8 @@ static void reweigh_one(const job *j, turns *t, size_t i)
 static void reweigh_batch(void *context, unsigned worker, uint64_t batch)
 {
     const job *j = context;
-    const size_t n = j->histories->n, from = (size_t)batch * BATCH;
-    const size_t to = n - from < BATCH ? n : from + BATCH;
+    const size_t from = j->from + (size_t)batch * BATCH;
+    const size_t to = j->to - from < BATCH ? j->to : from + BATCH;
     turns t = {.photon = UINT32_MAX, /* no photon has this number */
                .slope = j->slope + worker * j->changes->keys};
     memset(t.slope, 0, j->changes->keys * sizeof *t.slope);
@@ -233,15 +234,23 @@ typedef struct share_job {
     const double *ratio;
     worth *sums; /* [STRETCHES][kinds]; receivers, then the two maps */
     size_t kinds;
+    size_t first; /* stretch of this rank */
 } share_job;
 
-static void add_stretch(void *context, uint64_t stretch)
+/* The first contribution of a stretch. */
+static size_t stretch_begin(const murk_histories *f, size_t stretch)
+{
+    return stretch * f->n / STRETCHES;
+}
+
+static void add_stretch(void *context, uint64_t number)
 {
     const share_job *j = context;
     const murk_histories *f = j->histories;
+    const size_t stretch = j->first + (size_t)number;
     worth *sums = j->sums + stretch * j->kinds;
-    const size_t last = (stretch + 1) * f->n / STRETCHES;
-    for (size_t i = stretch * f->n / STRETCHES; i < last; ++i) {
+    const size_t last = stretch_begin(f, stretch + 1);
+    for (size_t i = stretch_begin(f, stretch); i < last; ++i) {
         const murk_contribution *c = &f->contribution[i];
         worth *w = c->receiver == MURK_RECORD_OF_SURFACE  ? &sums[j->kinds - 2]
                    : c->receiver == MURK_RECORD_OF_VOLUME ? &sums[j->kinds - 1]
@@ -255,18 +264,29 @@ static void add_stretch(void *context, uint64_t stretch)
 }
 
 /* Computes the smallest effective share of any receiver or map. */
-static bool find_effective_share(murk_reweighed *out, const murk_histories *f,
-                                 unsigned threads)
+static murk_status find_effective_share(murk_reweighed *out,
+                                        const murk_histories *f,
+                                        unsigned threads, murk_error *err)
 {
     const size_t kinds = f->receivers + 2;
+    const size_t first =
+        out->is_divided ? (size_t)murk_ranks_begin(STRETCHES) : 0;
+    const size_t end =
+        out->is_divided ? (size_t)murk_ranks_end(STRETCHES) : STRETCHES;
     share_job j = {f, out->ratio, calloc(STRETCHES * kinds, sizeof *j.sums),
-                   kinds};
-    if (!j.sums) {
-        return false;
+                   kinds, first};
+    murk_status status =
+        j.sums ? MURK_OK : murk_no_memory(err, "fit", "for sums");
+    if (!status) {
+        murk_pool_run(threads, end - first, add_stretch, &j);
+        status = murk_interrupt_check(err);
     }
-    murk_pool_run(threads, STRETCHES, add_stretch, &j);
+    if (out->is_divided) {
+        status = murk_ranks_join(j.sums, STRETCHES, kinds * sizeof *j.sums,
+                                 status, err);
+    }
     out->effective_share = 1;
-    for (size_t i = 0; i < kinds; ++i) {
+    for (size_t i = 0; i < kinds && !status; ++i) {
         worth all = j.sums[i];
         for (size_t s = 1; s < STRETCHES; ++s) {
             const worth *more = &j.sums[s * kinds + i];
@@ -281,7 +301,30 @@ static bool find_effective_share(murk_reweighed *out, const murk_histories *f,
             share > 0 ? fmin(out->effective_share, share) : 0;
     }
     free(j.sums);
-    return true;
+    return status;
+}
+
+/* The contributions that are re-weighted here: all, or those of the runs and of
+ * the stretches of this rank. */
+static void find_range(job *j)
+{
+    const murk_histories *f = j->histories;
+    murk_reweighed *out = j->out;
+    j->from = 0;
+    j->to = f->n;
+    out->is_divided =
+        out->runs && murk_ranks_count() > 1 && f->n >= MURK_REWEIGH_DIVIDED;
+    if (out->is_divided) {
+        const size_t runs = out->runs;
+        const size_t first =
+            murk_histories_first(f, runs, (size_t)murk_ranks_begin(runs));
+        const size_t last =
+            murk_histories_first(f, runs, (size_t)murk_ranks_end(runs));
+        j->from = stretch_begin(f, (size_t)murk_ranks_begin(STRETCHES));
+        j->to = stretch_begin(f, (size_t)murk_ranks_end(STRETCHES));
+        j->from = first < j->from ? first : j->from;
+        j->to = last > j->to ? last : j->to;
+    }
 }
 
 /* Allocates n ratios and n * keys slopes, unless the arrays of the last call
@@ -289,7 +332,9 @@ static bool find_effective_share(murk_reweighed *out, const murk_histories *f,
 static bool reserve(murk_reweighed *r, size_t n, size_t keys)
 {
     if (!r->ratio || r->n != n || r->capacity < keys * n) {
+        const size_t runs = r->runs;
         murk_reweighed_release(r);
+        r->runs = runs;
         r->ratio = malloc((n + 1) * sizeof *r->ratio);
         r->slope = malloc((keys * n + 1) * sizeof *r->slope);
         r->capacity = keys * n;
@@ -322,14 +367,14 @@ murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
             keys);
         goto done;
     }
-    job j = {histories, &changes, out, slope};
-    murk_pool_run_workers(threads, (n + BATCH - 1) / BATCH, reweigh_batch, &j);
-    /* The effective share; errors. */
-    const bool has_sums = find_effective_share(out, histories, threads);
-    status = murk_interrupt_check(err);
-    if (!status && !has_sums) {
-        status = murk_no_memory(err, "fit", "for sums");
-    }
+    job j = {.histories = histories,
+             .changes = &changes,
+             .out = out,
+             .slope = slope};
+    find_range(&j);
+    murk_pool_run_workers(threads, (j.to - j.from + BATCH - 1) / BATCH,
+                          reweigh_batch, &j);
+    status = find_effective_share(out, histories, threads, err);
 done:
     free(slope);
     murk_changes_release(&changes);

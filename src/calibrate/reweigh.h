@@ -11,6 +11,7 @@
 #ifndef MURK_CALIBRATE_REWEIGH_H
 #define MURK_CALIBRATE_REWEIGH_H
 
+#include "base/ranks.h"
 #include "calibrate/histories.h"
 #include "calibrate/optics.h"
 
@@ -28,17 +29,26 @@ typedef struct murk_reweighed {
                              * if nothing changed, 0 if all r are 0. The
                              * smallest over receivers and maps */
     size_t capacity;        /* internal: of slope */
+    size_t runs; /* set by the caller: the runs of the sums that will follow,
+                  * by which ranks (base/ranks.h) may divide an evaluation;
+                  * 0: they do not */
+    bool is_divided; /* they do: this rank has the ratios and slopes of its runs
+                      * alone */
 } murk_reweighed;
+
+/* Ranks divide an evaluation of so many contributions or more. Some ten
+ * thousand take as long as an exchange of sums. */
+#define MURK_REWEIGH_DIVIDED 16384
 
 /* Re-weights histories traced at `traced` to the optics `at`, into the result
  * of an earlier call, or into zeros; the arrays are reused if n is the same and
  * there is room for the slopes. sides[keys] belong to the parameters; low NULL:
  * the parameter has no effect here (slope 0). The wanted scene may differ in
  * optics alone, in recorded media alone, and in phase functions only if cosines
- * were stored. Fails if scattering, extinction or power is wanted that the
- * traced light did not have, when out of memory, and when interrupted. The
- * result has the same bits for any number of threads. Release also after a
- * failure. */
+ * were stored. Collective if `runs` is set. Fails if scattering, extinction or
+ * power is wanted that the traced light did not have, when out of memory, and
+ * when interrupted. The result has the same bits for any number of threads.
+ * Release also after a failure. */
 murk_status murk_reweigh(murk_reweighed *out, const murk_histories *histories,
                          const murk_optics *traced, const murk_optics *at,
                          const murk_optics_sides *sides, size_t keys,
@@ -60,15 +70,30 @@ typedef struct murk_row_sums {
     size_t rows, batches, runs; /* runs divides batches */
 } murk_row_sums;
 
+/* The runs that this rank evaluates: all, unless ranks divide the evaluation.
+ */
+static inline size_t murk_reweighed_first_run(const murk_reweighed *reweighed,
+                                              size_t runs)
+{
+    return reweighed->is_divided ? (size_t)murk_ranks_begin(runs) : 0;
+}
+static inline size_t murk_reweighed_end_run(const murk_reweighed *reweighed,
+                                            size_t runs)
+{
+    return reweighed->is_divided ? (size_t)murk_ranks_end(runs) : runs;
+}
+
 /* Evaluates the receivers into the rows 0 .. receivers - 1. The irradiance or
  * fluence rate [W/m2] that light l causes in band b at receiver r is multiplied
  * by per_watt[r * lights + l].band[b], which converts it to the unit of the
  * row, and summed over the lights and the bands of the receiver. Sets value,
- * slope, batch and run of these rows. */
-void murk_receivers_read(const murk_row_sums *out,
-                         const murk_receiver *receiver,
-                         const murk_spectrum *per_watt, size_t receivers,
-                         const murk_histories *histories,
-                         const murk_reweighed *reweighed, unsigned threads);
+ * slope, batch and run of these rows. Collective if ranks divide the
+ * evaluation. */
+murk_status murk_receivers_read(const murk_row_sums *out,
+                                const murk_receiver *receiver,
+                                const murk_spectrum *per_watt, size_t receivers,
+                                const murk_histories *histories,
+                                const murk_reweighed *reweighed,
+                                unsigned threads, murk_error *err);
 
 #endif

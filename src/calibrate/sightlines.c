@@ -3,6 +3,9 @@
  * several sensors by a counting sort. */
 #include "calibrate/sightlines.h"
 
+#include "base/ranks.h"
+#include "calibrate/packed_arrays.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -109,6 +112,87 @@ bool murk_sightlines_find(murk_sightlines *out,
     out->rest = shrunk(out->rest, out->n * sizeof *out->rest);
     murk_tally_add(&memory->bytes, (int64_t)(out->n * bytes_each(t)) - max);
     return true;
+}
+
+enum { ARRAYS = 3 };
+
+/* The arrays of n sightlines of one sensor. */
+static void arrays_of(murk_packed_array out[ARRAYS],
+                      const murk_sightlines *lines,
+                      const murk_sightlines_through *t, size_t n)
+{
+    const murk_packed_array arrays[ARRAYS] = {
+        {lines->contribution, n * sizeof *lines->contribution},
+        {lines->path_m, n * t->media * sizeof *lines->path_m},
+        {lines->rest, t->has_rest ? n * sizeof *lines->rest : 0}};
+    memcpy(out, arrays, sizeof arrays);
+}
+
+/* Packs the number and the arrays of each own part. *bytes: for free(). */
+static murk_status pack(char **bytes, size_t *size, const murk_sightlines *part,
+                        size_t parts, const murk_sightlines_through *t,
+                        murk_error *err)
+{
+    murk_packed_array array[ARRAYS];
+    *size = 0;
+    for (size_t j = murk_ranks_number(); j < parts; j += murk_ranks_count()) {
+        arrays_of(array, &part[j], t, part[j].n);
+        *size += sizeof(uint64_t) + murk_arrays_bytes(array, ARRAYS);
+    }
+    char *at = *bytes = malloc(*size + 1);
+    if (!at) {
+        return murk_no_memory(err, "", "to exchange sightlines");
+    }
+    for (size_t j = murk_ranks_number(); j < parts; j += murk_ranks_count()) {
+        const uint64_t n = part[j].n;
+        memcpy(at, &n, sizeof n);
+        arrays_of(array, &part[j], t, part[j].n);
+        at = murk_arrays_pack(at + sizeof n, array, ARRAYS);
+    }
+    return MURK_OK;
+}
+
+/* Stores the parts of another rank. */
+static murk_status unpack(murk_sightlines *part, size_t parts, unsigned rank,
+                          const murk_sightlines_through *t, const char *at,
+                          murk_error *err)
+{
+    for (size_t j = rank; j < parts; j += murk_ranks_count()) {
+        uint64_t n;
+        memcpy(&n, at, sizeof n);
+        if (!allocate(&part[j], t, (size_t)n, false)) {
+            return murk_no_memory(err, "", "for sightlines");
+        }
+        murk_packed_array array[ARRAYS];
+        part[j].n = (size_t)n;
+        arrays_of(array, &part[j], t, part[j].n);
+        at = murk_arrays_unpack(array, ARRAYS, at + sizeof n);
+    }
+    return MURK_OK;
+}
+
+murk_status murk_sightlines_exchange(murk_sightlines *part, size_t parts,
+                                     const murk_sightlines_through *t,
+                                     murk_status status, murk_error *err)
+{
+    if (murk_ranks_count() == 1) {
+        return status;
+    }
+    char *bytes = NULL;
+    size_t size = 0;
+    murk_gathered all = {0};
+    if (!status) {
+        status = pack(&bytes, &size, part, parts, t, err);
+    }
+    status = murk_ranks_gather(&all, bytes, size, status, err);
+    for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
+        if (r != murk_ranks_number()) {
+            status = unpack(part, parts, r, t, all.bytes + all.begin[r], err);
+        }
+    }
+    murk_gathered_release(&all);
+    free(bytes);
+    return status;
 }
 
 /* Copies sightlines to their sorted places; place[c] is the next free place of

@@ -5,7 +5,7 @@
 
 #include "base/machine.h"
 #include "base/progress.h"
-#include "calibrate/recorder.h"
+#include "calibrate/history_exchange.h"
 #include "lightmap/emission.h"
 
 #include <assert.h>
@@ -70,6 +70,14 @@ static murk_status gather(void *context, uint64_t last, murk_error *err)
                          j->max_bytes / 1e9);
     }
     return MURK_OK;
+}
+
+/* Exchanges the histories of a wave between ranks. */
+static murk_status exchange(void *context, const size_t *place, size_t n,
+                            murk_status status, murk_error *err)
+{
+    const job *j = context;
+    return murk_recorder_exchange(j->recorder, place, n, status, err);
 }
 
 static murk_histories *create(const murk_histories_desc *desc)
@@ -190,6 +198,7 @@ murk_status murk_histories_trace(murk_histories **out,
                                  .segment_sink = murk_recorder_segment,
                                  .context = j.recorder,
                                  .gather = gather,
+                                 .exchange = exchange,
                                  .gather_context = &j};
     status = murk_emission_check(&j.emission, err);
     if (status) {

@@ -7,6 +7,7 @@
 #include "base/interrupt.h"
 #include "base/machine.h"
 #include "base/pool.h"
+#include "base/ranks.h"
 #include "base/tally.h"
 #include "medium/rescaled.h"
 #include "plan/plan.h"
@@ -74,10 +75,11 @@ bool murk_visible_has_paths(const murk_histories *histories, size_t medium)
 
 /* ---- sightlines ---- */
 
-/* Finds the sightlines of one pose. */
-static void find_sightlines(void *context, unsigned worker, uint64_t number)
+/* Finds the sightlines of one pose, the k-th of this rank. */
+static void find_sightlines(void *context, unsigned worker, uint64_t k)
 {
     search *f = context;
+    const size_t number = (size_t)murk_ranks_item(k);
     murk_sightlines *lines = &f->pose[number];
     if (!murk_sightlines_find(lines, &f->through[lines->acceptance_all], worker,
                               &f->desc->pose[number], &f->memory)) {
@@ -353,8 +355,10 @@ murk_status murk_visible_create(murk_visible **out,
     /* Find the sightlines of each pose, then sort them by group. */
     weigh(&f);
     describe_media(&f);
-    murk_pool_run_workers(desc->threads, desc->poses, find_sightlines, &f);
-    status = outcome(&f, err);
+    murk_pool_run_workers(desc->threads, murk_ranks_share(desc->poses),
+                          find_sightlines, &f);
+    status = murk_sightlines_exchange(f.pose, desc->poses, f.through,
+                                      outcome(&f, err), err);
     if (!status) {
         murk_pool_run(desc->threads, desc->groups, sort_group, &f);
         status = outcome(&f, err);

@@ -52,23 +52,26 @@ static uint64_t photons_max(const murk_emission *e)
     return e->emit ? e->emit : murk_light_photons_max(settings_of(e));
 }
 
-/* True if the ranks divide the batches of each wave. Records alone can be
- * exchanged, so emissions with sinks of their own are traced by every rank. */
+/* True if the ranks divide the batches of each wave: those whose events can be
+ * exchanged. */
 static bool is_divided(const murk_emission *e)
 {
-    return murk_ranks_count() > 1 && e->buffers && !e->sink;
+    return murk_ranks_count() > 1 &&
+           (e->sink ? e->exchange != NULL : e->buffers != NULL);
 }
 
-/* Number of photons of the next wave: MURK_WAVE_BATCHES batches for each rank
- * that divides the wave, but never more than the remaining photons. With
- * `store`, a wave has only the batches that should produce the missing records
- * plus 2 %. The first wave is one batch with `store`, because the number of
- * records for each photon is not yet known, and if is_first_small is set. */
+/* Number of photons of the next wave: MURK_WAVE_BATCHES batches, for each rank
+ * if ranks divide waves of records, but never more than the remaining photons.
+ * With `store`, a wave has only the batches that should produce the missing
+ * records plus 2 %. The first wave is one batch with `store`, because the
+ * number of records for each photon is not yet known, and if is_first_small is
+ * set. */
 static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
     const uint64_t left = photons_max(e) - done;
-    const double ranks = is_divided(e) ? murk_ranks_count() : 1;
+    /* Sinks have room for MURK_WAVE_BATCHES batches. */
+    const double ranks = is_divided(e) && !e->sink ? murk_ranks_count() : 1;
     double batches = fmin(ranks * MURK_WAVE_BATCHES, MURK_WAVE_BATCHES_MAX);
     if (done == 0 && (wanted(e) || e->is_first_small)) {
         batches = 1;
@@ -125,13 +128,19 @@ static murk_status fill_wave(const murk_emission *e, murk_trace *trace,
     trace->batch = own;
     trace->batches = share;
     murk_trace_run(trace, e->ledger);
-    /* Own batch k lies in buffer k, which is at or before its own place. */
-    for (size_t k = share; k-- > 0;) {
-        murk_record_buffers_swap(e->buffers, k, (size_t)(own[k] - first));
+    murk_status status = murk_interrupt_check(err);
+    if (e->buffers) {
+        /* Own batch k lies in buffer k, which is at or before its own place. */
+        for (size_t k = share; k-- > 0;) {
+            murk_record_buffers_swap(e->buffers, k, (size_t)(own[k] - first));
+        }
+        sort_records(e, trace);
+        status = murk_ranks_exchange_records(e->buffers, missing, n, is_due,
+                                             status, err);
     }
-    sort_records(e, trace);
-    const murk_status status = murk_ranks_exchange_records(
-        e->buffers, missing, n, is_due, murk_interrupt_check(err), err);
+    if (e->exchange) {
+        status = e->exchange(e->gather_context, missing, n, status, err);
+    }
     murk_progress_add((n - share) * MURK_BATCH_PHOTONS);
     /* The batches of parts. */
     for (uint64_t b = first; b < end && !status; ++b) {

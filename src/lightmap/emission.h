@@ -33,11 +33,20 @@ typedef struct murk_emission {
      * murk_record_buffers_gather(), with gather_context and the number of the
      * last photon that is kept; if there are record buffers, gather must call
      * that function, and gather must drop what it stores of later photons. If
-     * sink and gather are NULL, the record buffers alone are used. */
+     * sink and gather are NULL, the record buffers alone are used.
+     *
+     * Ranks divide the batches of a wave if `exchange` is given, too: it is
+     * called after a rank has traced its share, with the place of each batch in
+     * the wave (place[n]), of which this rank traced those that it owns
+     * (murk_ranks_owns()), the k-th of them as batch k of the sinks. It must
+     * move these to their places and receive those of the other ranks.
+     * Collective. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */
     murk_status (*gather)(void *gather_context, uint64_t last, murk_error *err);
+    murk_status (*exchange)(void *gather_context, const size_t *place, size_t n,
+                            murk_status status, murk_error *err);
     void *gather_context;
 
     const murk_light_parts *parts; /* batches that need not be traced; the sums

@@ -162,6 +162,16 @@ def results_are_the_same(folder, room, study):
     same(folder, "study", ["study", study], ONE, code=1)
     same(folder, "fit", ["fit", "scenes/calibrate-fog.yaml", "--data", "scenes/calibrate/fog.csv", *emit(3000),
                          "--starts", "4", "--free", "media.fog.extinction_per_m"], SOME)
+    # Contributions enough for ranks to divide their evaluation; as many photons as records need; a world that moves.
+    one = ["--starts", "1"]
+    same(folder, "fit to coverage", ["fit", "scenes/calibrate-coverage.yaml", "--data", "scenes/calibrate/coverage.csv",
+                                     "--free", "media.fog.visibility_m", *emit(12000), *one], SOME)
+    same(folder, "fit by store", ["fit", "scenes/calibrate-coverage.yaml", "--data", "scenes/calibrate/coverage.csv",
+                                  "--free", "media.fog.visibility_m", "--store", str(20000 * SIZE), *one], ONE)
+    same(folder, "fit to receivers", ["fit", "scenes/calibrate-fog.yaml", "--data", "scenes/calibrate/fog.csv",
+                                      *emit(100000), "--free", "media.fog.extinction_per_m", *one], ONE)
+    same(folder, "fit of a place", ["fit", "scenes/calibrate-fog.yaml", "--data", "scenes/calibrate/fog.csv",
+                                    *emit(3000), "--free", "lights.0.origin_m.1", *one], ONE)
 
 
 def another_seed_differs(folder, room):

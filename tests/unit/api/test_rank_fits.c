@@ -1,7 +1,7 @@
-/* Fits through murk.h in ranks: ranks run the further starts of a fit and have
- * the fields of a fit of one rank. A rank that takes over a start with a wrong
- * bit is noticed, and a rank that is asked to stop ends all. Seeds are fixed.
- */
+/* Fits through murk.h in ranks: ranks divide the photons of a fit and, if these
+ * are many, the evaluation of their contributions, run the further starts, and
+ * have the fields of a fit of one rank. A wrong bit in what a rank takes over
+ * is noticed, and a rank that is asked to stop ends all. Seeds are fixed. */
 #include "check.h"
 #include "murk.h"
 #include "thread_ranks.h"
@@ -9,8 +9,37 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A fit, with the number of its photons and starts, and how often a search may
+ * trace. */
+typedef struct example {
+    const char *scene, *data, *key, *emit;
+    size_t starts, traces;
+    char *json; /* its fields, by one rank */
+} example;
+
+static example few = {.scene = "scenes/calibrate-fog.yaml",
+                      .data = "scenes/calibrate/fog.csv",
+                      .key = "media.fog.extinction_per_m",
+                      .emit = "600",
+                      .starts = 4,
+                      .traces = 4};
+/* So many contributions that ranks divide an evaluation
+ * (MURK_REWEIGH_DIVIDED). */
+static example receivers = {.scene = "scenes/calibrate-fog.yaml",
+                            .data = "scenes/calibrate/fog.csv",
+                            .key = "media.fog.extinction_per_m",
+                            .emit = "90000",
+                            .starts = 1,
+                            .traces = 1};
+static example coverage = {.scene = "scenes/calibrate-coverage.yaml",
+                           .data = "scenes/calibrate/coverage.csv",
+                           .key = "media.fog.visibility_m",
+                           .emit = "12000",
+                           .starts = 1,
+                           .traces = 1};
+
 typedef struct job {
-    size_t starts;
+    const example *of;
     unsigned threads;
     bool is_stopped; /* rank 1 is asked to stop before the fit */
     char *json[THREAD_RANKS_MAX];
@@ -18,12 +47,12 @@ typedef struct job {
 
 static murk_status fit(void *user, unsigned number, murk_error *error)
 {
-    static const char *const keys[] = {"media.fog.extinction_per_m"};
     job *j = user;
+    const char *const keys[] = {j->of->key};
     const murk_context_options options = {.size = sizeof options,
                                           .threads = j->threads};
     const murk_fit_options asked = {
-        .size = sizeof asked, .starts = j->starts, .traces = 4};
+        .size = sizeof asked, .starts = j->of->starts, .traces = j->of->traces};
     murk_context *context = NULL;
     murk_scene *scene = NULL;
     murk_fit *made = NULL;
@@ -32,15 +61,14 @@ static murk_status fit(void *user, unsigned number, murk_error *error)
     *error = (murk_error)MURK_ERROR_NONE;
     murk_status status = murk_context_create(&context, &options, error);
     if (!status) {
-        status = murk_scene_read(&scene, context, "scenes/calibrate-fog.yaml",
-                                 error);
+        status = murk_scene_read(&scene, context, j->of->scene, error);
     }
     if (!status) {
-        status = murk_scene_set(scene, "photons.emit", "600", error);
+        status = murk_scene_set(scene, "photons.emit", j->of->emit, error);
     }
     if (!status) {
-        status = murk_fit_create(&made, scene, "scenes/calibrate/fog.csv", keys,
-                                 1, &asked, error);
+        status =
+            murk_fit_create(&made, scene, j->of->data, keys, 1, &asked, error);
     }
     if (j->is_stopped && number == 1) {
         murk_context_cancel(context);
@@ -60,30 +88,35 @@ static murk_status fit(void *user, unsigned number, murk_error *error)
     return status;
 }
 
-/* True if all ranks have the fit of one. */
-static bool fits_are_the_same(size_t starts, unsigned count, unsigned threads,
-                              thread_ranks_defect defect)
+static void fit_alone(example *of)
 {
-    job one = {.starts = starts, .threads = 1};
-    job all = {.starts = starts, .threads = threads};
-    thread_ranks_end end = thread_ranks_run(1, THREAD_RANKS_SOUND, fit, &one);
+    job one = {.of = of, .threads = 2};
+    const thread_ranks_end end =
+        thread_ranks_run(1, THREAD_RANKS_SOUND, fit, &one);
     CHECK(thread_ranks_succeeded(&end, 1));
     CHECK_TEXT(end.error[0].text, "");
     CHECK(one.json[0] && strstr(one.json[0], "\"starts\""));
-    end = thread_ranks_run(count, defect, fit, &all);
+    of->json = one.json[0];
+}
+
+/* True if all ranks have the fit of one. */
+static bool fits_are_the_same(const example *of, unsigned count,
+                              unsigned threads, thread_ranks_defect defect)
+{
+    job all = {.of = of, .threads = threads};
+    const thread_ranks_end end = thread_ranks_run(count, defect, fit, &all);
     bool is_same = thread_ranks_succeeded(&end, count);
     for (unsigned r = 0; r < count; ++r) {
-        is_same = is_same && all.json[r] && one.json[0] &&
-                  strcmp(all.json[r], one.json[0]) == 0;
+        is_same = is_same && all.json[r] && of->json &&
+                  strcmp(all.json[r], of->json) == 0;
         free(all.json[r]);
     }
-    free(one.json[0]);
     return is_same;
 }
 
 static void test_a_stopped_rank_ends_all(void)
 {
-    job j = {.starts = 3, .threads = 1, .is_stopped = true};
+    job j = {.of = &few, .threads = 1, .is_stopped = true};
     const thread_ranks_end end =
         thread_ranks_run(2, THREAD_RANKS_SOUND, fit, &j);
     for (unsigned r = 0; r < 2; ++r) {
@@ -93,9 +126,19 @@ static void test_a_stopped_rank_ends_all(void)
 
 int main(void)
 {
-    CHECK(fits_are_the_same(4, 2, 2, THREAD_RANKS_SOUND));
-    CHECK(fits_are_the_same(2, 4, 1, THREAD_RANKS_SOUND)); /* idle ranks */
-    CHECK(!fits_are_the_same(3, 2, 1, THREAD_RANKS_FLIP_BIT));
+    example *const all[] = {&few, &receivers, &coverage};
+    for (size_t i = 0; i < 3; ++i) {
+        fit_alone(all[i]);
+    }
+    CHECK(fits_are_the_same(&few, 2, 2, THREAD_RANKS_SOUND));
+    CHECK(fits_are_the_same(&few, 8, 1, THREAD_RANKS_SOUND)); /* idle ranks */
+    CHECK(fits_are_the_same(&receivers, 3, 1, THREAD_RANKS_SOUND));
+    CHECK(fits_are_the_same(&coverage, 2, 1, THREAD_RANKS_SOUND));
+    CHECK(!fits_are_the_same(&few, 2, 1, THREAD_RANKS_FLIP_BIT));
+    CHECK(!fits_are_the_same(&coverage, 2, 1, THREAD_RANKS_LOSE_WORDS));
     test_a_stopped_rank_ends_all();
+    for (size_t i = 0; i < 3; ++i) {
+        free(all[i]->json);
+    }
     return check_done();
 }

@@ -1,6 +1,6 @@
 /* The functions of base/ranks.h, with ranks as threads: sums, arrays that are
- * completed, gathered bytes, failures, items that are dealt out, and the shares
- * of ranks. Exchanges with a defect are noticed. */
+ * completed, gathered bytes, joined blocks, failures, items that are dealt out,
+ * and the shares of ranks. Exchanges with a defect are noticed. */
 #include "check.h"
 #include "thread_ranks.h"
 
@@ -172,6 +172,48 @@ static void test_a_single_process_gathers_its_own_bytes(void)
     CHECK(all.begin[0] == 0 && all.begin[1] == 3);
     CHECK(memcmp(all.bytes, "abc", 3) == 0);
     murk_gathered_release(&all);
+}
+
+/* ---- blocks of an array ---- */
+
+enum { BLOCKED = 7 }; /* of some ranks the block is empty */
+
+typedef struct blocks {
+    uint32_t item[THREAD_RANKS_MAX][BLOCKED];
+} blocks;
+
+static murk_status fill_block(void *context, unsigned number, murk_error *err)
+{
+    uint32_t *item = ((blocks *)context)->item[number];
+    for (uint64_t i = 0; i < BLOCKED; ++i) {
+        const bool is_own =
+            i >= murk_ranks_begin(BLOCKED) && i < murk_ranks_end(BLOCKED);
+        item[i] = is_own ? 100 + (uint32_t)i : 99; /* 99 must be replaced */
+    }
+    return murk_ranks_join(item, BLOCKED, sizeof *item, MURK_OK, err);
+}
+
+/* True if all ranks have all items. */
+static bool blocks_are_joined(unsigned count, thread_ranks_defect defect)
+{
+    blocks b;
+    const thread_ranks_end end =
+        thread_ranks_run(count, defect, fill_block, &b);
+    bool is_right = thread_ranks_succeeded(&end, count);
+    for (unsigned r = 0; r < count; ++r) {
+        for (uint32_t i = 0; i < BLOCKED; ++i) {
+            is_right = is_right && b.item[r][i] == 100 + i;
+        }
+    }
+    return is_right;
+}
+
+static void test_blocks_are_joined(void)
+{
+    for (size_t c = 0; c < COUNTS; ++c) {
+        CHECK(blocks_are_joined(counts[c], THREAD_RANKS_SOUND));
+    }
+    CHECK(!blocks_are_joined(3, THREAD_RANKS_FLIP_BIT));
 }
 
 /* ---- failures ---- */
@@ -415,6 +457,7 @@ int main(void)
     test_an_array_is_completed();
     test_bytes_are_gathered();
     test_a_single_process_gathers_its_own_bytes();
+    test_blocks_are_joined();
     test_the_first_failure_reaches_all();
     test_an_early_return_ends_all();
     test_each_item_is_dealt_once();

@@ -89,8 +89,8 @@ static void read_sums(const followed_text *l, const murk_optics *at,
     CHECK(!murk_reweigh(&r, l->followed, l->optics, at, sides, keys, 2, &err));
     double run[RECEIVERS];
     const murk_row_sums sums = {sum, slope, batch, run, RECEIVERS, BATCHES, 1};
-    murk_receivers_read(&sums, receivers, per_watt, RECEIVERS, l->followed, &r,
-                        2);
+    CHECK(!murk_receivers_read(&sums, receivers, per_watt, RECEIVERS,
+                               l->followed, &r, 2, &err));
     /* Add up the records of each map, times their ratios and slopes. */
     for (size_t map = 0; map < 2; ++map) {
         sum[RECEIVERS + map] = slope[RECEIVERS + map] = 0;
@@ -199,12 +199,13 @@ static void test_threads_and_batches_do_not_matter(const followed_text *l)
     double value[RECEIVERS], slope[RECEIVERS * 4], batch[100 * RECEIVERS];
     double run[RECEIVERS * 4];
     const murk_row_sums hundred = {value, slope, batch, run, RECEIVERS, 100, 1};
-    murk_receivers_read(&hundred, receivers, flat, RECEIVERS, l->followed, &one,
-                        2);
+    CHECK(!murk_receivers_read(&hundred, receivers, flat, RECEIVERS,
+                               l->followed, &one, 2, &err));
     double single[RECEIVERS], single_slope[RECEIVERS * 4], whole[RECEIVERS];
     const murk_row_sums all = {single, single_slope, whole, run, RECEIVERS, 1,
                                1};
-    murk_receivers_read(&all, receivers, flat, RECEIVERS, l->followed, &one, 2);
+    CHECK(!murk_receivers_read(&all, receivers, flat, RECEIVERS, l->followed,
+                               &one, 2, &err));
     for (size_t r = 0; r < RECEIVERS; ++r) {
         CHECK(whole[r] == single[r]);
         CHECK_NEAR(value[r], single[r], 1e-12 * single[r]);
