@@ -62,21 +62,44 @@ unsigned murk_ranks_number(void);
 unsigned murk_ranks_threads(void);           /* 0 without ranks */
 murk_ranks_here murk_ranks_on_machine(void); /* {0, 1, 0} without ranks */
 
-/* Items that are dealt to ranks in turn: how many of n items are those of this
- * rank, the number of the k-th of them, and whether an item is one of them. Not
- * collective. */
+/* Items that are dealt to ranks in rounds, one to each rank: how many of n
+ * items a rank has, the number of the k-th of them, and which rank has an item.
+ * The rank that is first differs from round to round without a pattern: dealt
+ * in turn, the even candidates of a grid went to one rank of two, and if these
+ * see more than the odd ones that rank had more work. Not collective. */
+static inline unsigned murk_ranks_first_of(uint64_t round)
+{
+    /* Fibonacci hashing (Knuth, The Art of Computer Programming, vol. 3, 6.4).
+     */
+    const uint64_t hash = (round + 1) * UINT64_C(0x9e3779b97f4a7c15);
+    return (unsigned)((hash >> 33) % murk_ranks_count());
+}
+static inline unsigned murk_ranks_owner(uint64_t item)
+{
+    const unsigned count = murk_ranks_count();
+    return (unsigned)((item + murk_ranks_first_of(item / count)) % count);
+}
+static inline uint64_t murk_ranks_share_of(uint64_t n, unsigned rank)
+{
+    const unsigned count = murk_ranks_count();
+    const uint64_t rounds = n / count;
+    const unsigned place = (rank + count - murk_ranks_first_of(rounds)) % count;
+    return rounds + (place < n % count);
+}
 static inline uint64_t murk_ranks_share(uint64_t n)
 {
-    const uint64_t count = murk_ranks_count();
-    return n / count + (murk_ranks_number() < n % count);
+    return murk_ranks_share_of(n, murk_ranks_number());
 }
 static inline uint64_t murk_ranks_item(uint64_t k)
 {
-    return k * murk_ranks_count() + murk_ranks_number();
+    const unsigned count = murk_ranks_count();
+    const unsigned place =
+        (murk_ranks_number() + count - murk_ranks_first_of(k)) % count;
+    return k * count + place;
 }
 static inline bool murk_ranks_owns(uint64_t item)
 {
-    return item % murk_ranks_count() == murk_ranks_number();
+    return murk_ranks_owner(item) == murk_ranks_number();
 }
 
 /* Items that are dealt to ranks in blocks of successive ones: of n items, at

@@ -79,7 +79,10 @@ static murk_status pack(char **bytes, size_t *size, const murk_recorder *r,
 static void unpack(murk_recorder *r, const char *at, const size_t *place,
                    size_t n, unsigned rank)
 {
-    for (size_t k = rank; k < n; k += murk_ranks_count()) {
+    for (size_t k = 0; k < n; ++k) {
+        if (murk_ranks_owner(k) != rank) {
+            continue;
+        }
         murk_photon_history *f = &r->photon[place[k]];
         murk_histories *buffer = &f->buffer;
         batch_head head;

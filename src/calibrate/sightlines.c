@@ -135,7 +135,9 @@ static murk_status pack(char **bytes, size_t *size, const murk_sightlines *part,
 {
     murk_packed_array array[ARRAYS];
     *size = 0;
-    for (size_t j = murk_ranks_number(); j < parts; j += murk_ranks_count()) {
+    const size_t own = (size_t)murk_ranks_share(parts);
+    for (size_t k = 0; k < own; ++k) {
+        const size_t j = (size_t)murk_ranks_item(k);
         arrays_of(array, &part[j], t, part[j].n);
         *size += sizeof(uint64_t) + murk_arrays_bytes(array, ARRAYS);
     }
@@ -143,7 +145,8 @@ static murk_status pack(char **bytes, size_t *size, const murk_sightlines *part,
     if (!at) {
         return murk_no_memory(err, "", "to exchange sightlines");
     }
-    for (size_t j = murk_ranks_number(); j < parts; j += murk_ranks_count()) {
+    for (size_t k = 0; k < own; ++k) {
+        const size_t j = (size_t)murk_ranks_item(k);
         const uint64_t n = part[j].n;
         memcpy(at, &n, sizeof n);
         arrays_of(array, &part[j], t, part[j].n);
@@ -157,8 +160,11 @@ static murk_status unpack(murk_sightlines *part, size_t parts, unsigned rank,
                           const murk_sightlines_through *t, const char *at,
                           murk_error *err)
 {
-    for (size_t j = rank; j < parts; j += murk_ranks_count()) {
+    for (size_t j = 0; j < parts; ++j) {
         uint64_t n;
+        if (murk_ranks_owner(j) != rank) {
+            continue;
+        }
         memcpy(&n, at, sizeof n);
         if (!allocate(&part[j], t, (size_t)n, false)) {
             return murk_no_memory(err, "", "for sightlines");

@@ -49,12 +49,14 @@ static murk_status pack(char **bytes, size_t *size,
 static void unpack(murk_record_buffers *buffers, const char *bytes,
                    const size_t *buffer, size_t n, unsigned rank)
 {
-    const unsigned count = murk_ranks_count();
-    const size_t own = n / count + (rank < n % count);
+    const size_t own = (size_t)murk_ranks_share_of(n, rank);
     const char *counts = bytes + sizeof(uint64_t);
     const char *at = counts + own * sizeof(uint64_t);
-    for (size_t k = rank; k < n; k += count) {
+    for (size_t k = 0; k < n; ++k) {
         uint64_t records;
+        if (murk_ranks_owner(k) != rank) {
+            continue;
+        }
         memcpy(&records, counts, sizeof records);
         counts += sizeof records;
         murk_record_buffers_fill(buffers, buffer[k], (const void *)at, records);

@@ -257,7 +257,7 @@ static void test_a_wrong_exchange_is_noticed(void)
     /* In rows of so many clarities the bit is one of a clarity. */
     j.search = searches[1];
     j.share = 0.9;
-    v = compare(&j, 3, THREAD_RANKS_FLIP_BIT);
+    v = compare(&j, 2, THREAD_RANKS_FLIP_BIT);
     CHECK(v.has_succeeded && !v.same_plans);
 }
 
