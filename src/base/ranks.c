@@ -157,8 +157,47 @@ murk_status murk_ranks_join(void *array, size_t n, size_t item_bytes,
     murk_gathered all;
     status = murk_ranks_gather(&all, (char *)array + begin * item_bytes, own,
                                status, err);
+    if (!status && all.begin[murk_ranks_count()] != n * item_bytes) {
+        status = murk_ranks_agree(
+            murk_fail(err, MURK_RUN_FAILED, "",
+                      "ranks exchange results of different sizes: do their "
+                      "machines differ?"),
+            err);
+    }
     if (!status) {
         memcpy(array, all.bytes, n * item_bytes);
+    }
+    murk_gathered_release(&all);
+    return status;
+}
+
+/* What a rank tells of its failure. */
+typedef struct failure {
+    murk_status status;
+    murk_error error;
+} failure;
+
+murk_status murk_ranks_share_failure(murk_status status, murk_error *err)
+{
+    if (murk_ranks_count() == 1) {
+        return status;
+    }
+    if (status == MURK_NO_MEMORY || status == MURK_INTERRUPTED) {
+        return murk_ranks_agree(status, err);
+    }
+    failure own = {.status = status};
+    if (status) {
+        own.error = *err;
+    }
+    murk_gathered all;
+    status = murk_ranks_gather(&all, &own, sizeof own, MURK_OK, err);
+    for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
+        failure of_rank;
+        memcpy(&of_rank, all.bytes + r * sizeof of_rank, sizeof of_rank);
+        status = of_rank.status;
+        if (status) {
+            *err = of_rank.error;
+        }
     }
     murk_gathered_release(&all);
     return status;

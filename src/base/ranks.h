@@ -64,7 +64,7 @@ murk_ranks_here murk_ranks_on_machine(void); /* {0, 1, 0} without ranks */
 
 /* Items that are dealt to ranks in rounds, one to each rank: how many of n
  * items a rank has, the number of the k-th of them, and which rank has an item.
- * The rank that is first differs from round to round without a pattern: dealt
+ * The rank that is first differs from round to round, without a period: dealt
  * in turn, the even candidates of a grid went to one rank of two, and if these
  * see more than the odd ones that rank had more work. Not collective. */
 static inline unsigned murk_ranks_first_of(uint64_t round)
@@ -72,7 +72,7 @@ static inline unsigned murk_ranks_first_of(uint64_t round)
     /* Fibonacci hashing (Knuth, The Art of Computer Programming, vol. 3, 6.4).
      */
     const uint64_t hash = (round + 1) * UINT64_C(0x9e3779b97f4a7c15);
-    return (unsigned)((hash >> 33) % murk_ranks_count());
+    return (unsigned)((hash >> 32) * murk_ranks_count() >> 32);
 }
 static inline unsigned murk_ranks_owner(uint64_t item)
 {
@@ -132,6 +132,11 @@ bool murk_ranks_keeps_shared(void);
 /* Returns `status`, or the failure of another rank. */
 murk_status murk_ranks_agree(murk_status status, murk_error *err);
 
+/* As murk_ranks_agree(), for a failure that a caller may tolerate, of which all
+ * ranks must know: the failure of the first rank that has failed, which is
+ * final only if it is MURK_NO_MEMORY or MURK_INTERRUPTED. */
+murk_status murk_ranks_share_failure(murk_status status, murk_error *err);
+
 /* *is_same: whether all ranks have equal bytes. */
 murk_status murk_ranks_compare(bool *is_same, const void *bytes, size_t size,
                                murk_status status, murk_error *err);
@@ -152,7 +157,8 @@ murk_status murk_ranks_complete(void *array, size_t bytes, murk_status status,
                                 murk_error *err);
 
 /* Completes an array of n items of which each rank has filled its block, from
- * murk_ranks_begin(n) to murk_ranks_end(n). */
+ * murk_ranks_begin(n) to murk_ranks_end(n). Fails with MURK_RUN_FAILED if ranks
+ * join arrays of different sizes. */
 murk_status murk_ranks_join(void *array, size_t n, size_t item_bytes,
                             murk_status status, murk_error *err);
 

@@ -342,6 +342,19 @@ static murk_status share_light(murk_calibration *out, murk_fit_search *s,
     return status;
 }
 
+/* After ranks have run starts by themselves, their light and last prediction
+ * differ. All must do the same from here on, so a rank forgets which prediction
+ * it has, and its light as well if any start traced another one. */
+static void agree_on_light(const murk_calibration *out, murk_fit_search *s)
+{
+    for (size_t i = 1; i < starts_asked(s->desc); ++i) {
+        if (out->start[i].traces > 0) {
+            s->lit_by = SIZE_MAX;
+        }
+    }
+    s->ended = SIZE_MAX;
+}
+
 /* Runs the requested starts. Start 0 traces light. Each other one follows that
  * light and depends on nothing else, so the starts may run in any order. Those
  * that have to trace light do so when all have followed the light of start
@@ -369,8 +382,11 @@ static murk_status run_starts(murk_calibration *out, murk_fit_search *s,
         }
     }
     murk_ranks_return(ranks);
-    return murk_ranks_count() > 1 ? murk_starts_exchange(out, s, status, err)
-                                  : status;
+    if (murk_ranks_count() > 1) {
+        status = murk_starts_exchange(out, s, status, err);
+        agree_on_light(out, s);
+    }
+    return status;
 }
 
 /* Runs restarts with light of their own, while the best start is doubtful.

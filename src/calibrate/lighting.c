@@ -151,6 +151,17 @@ static void convert_groups(const murk_row_sums *sums,
     }
 }
 
+/* The runs by which ranks divide an evaluation; 0: they do not. */
+static size_t divided_runs(const murk_lighting *l, size_t keys)
+{
+    const murk_lighting_desc *d = l->desc;
+    const size_t n = l->histories->n;
+    const size_t sums = d->instruments->lights * (d->batches + d->runs * keys);
+    return n >= MURK_LIGHTING_DIVIDED && n >= sums / MURK_LIGHTING_SUMS_EACH
+               ? d->runs
+               : 0;
+}
+
 murk_status murk_lighting_read(murk_lighting_rows *out, const murk_lighting *l,
                                const murk_readings *measured,
                                const murk_optics *at,
@@ -168,7 +179,7 @@ murk_status murk_lighting_read(murk_lighting_rows *out, const murk_lighting *l,
                                 .batches = d->batches,
                                 .runs = d->runs};
     /* Re-weight, then evaluate receivers and coverage. */
-    reweighed->runs = d->runs;
+    reweighed->runs = divided_runs(l, keys);
     murk_status status = murk_reweigh(reweighed, l->histories, l->optics, at,
                                       sides, keys, d->threads, err);
     out->share = status ? 0 : reweighed->effective_share;

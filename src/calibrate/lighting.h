@@ -65,9 +65,16 @@ murk_status murk_lighting_rows_create(murk_lighting_rows *out,
                                       size_t keys, murk_error *err);
 void murk_lighting_rows_release(murk_lighting_rows *rows);
 
+/* Ranks (base/ranks.h) divide the evaluation of so many contributions or more,
+ * and of one for each MURK_LIGHTING_SUMS_EACH sums that are exchanged: an
+ * exchange takes as long as some ten thousand contributions, and that of a sum
+ * a few nanoseconds, where a contribution takes some hundred. */
+#define MURK_LIGHTING_DIVIDED   16384
+#define MURK_LIGHTING_SUMS_EACH 16
+
 /* Evaluates the light rows of a traced condition at the optics `at`;
  * sides[keys] as in murk_reweigh(). Fails as murk_reweigh() and
- * murk_covered_read(). */
+ * murk_covered_read(). Collective if ranks divide it. */
 murk_status murk_lighting_read(murk_lighting_rows *out,
                                const murk_lighting *lighting,
                                const murk_readings *measured,

@@ -5,6 +5,7 @@
  * treated as in the photon tracer. */
 #include "calibrate/recorder.h"
 
+#include "lightmap/emission.h"
 #include "medium/rescaled.h"
 
 #include <assert.h>
@@ -252,7 +253,7 @@ murk_status murk_recorder_gather(murk_recorder *r, uint64_t last,
     const size_t first = r->all->n;
     const size_t surface = r->buffers ? r->buffers->surface.n : 0;
     const size_t volume = r->buffers ? r->buffers->volume.n : 0;
-    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+    for (size_t b = 0; b < r->batches; ++b) {
         if (!move(r, &r->photon[b], last)) {
             return murk_no_memory(
                 err, "fit", "for more than %.3g contributions and %.3g cosines",
@@ -305,7 +306,10 @@ murk_status murk_recorder_create(murk_recorder **out,
     /* Workspaces of the batches. */
     const size_t media = desc->media;
     r->alone = murk_arena_array(&r->arena, media, sizeof *r->alone);
-    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+    r->photon = murk_arena_array(&r->arena, murk_emission_wave_batches(),
+                                 sizeof *r->photon);
+    r->batches = r->photon ? murk_emission_wave_batches() : 0;
+    for (size_t b = 0; b < r->batches; ++b) {
         murk_photon_history *f = &r->photon[b];
         f->buffer.media = media;
         f->path_m = murk_arena_array(&r->arena, media, sizeof *f->path_m);
@@ -333,7 +337,7 @@ void murk_recorder_destroy(murk_recorder *r)
     if (!r) {
         return;
     }
-    for (size_t b = 0; b < MURK_WAVE_BATCHES; ++b) {
+    for (size_t b = 0; b < r->batches; ++b) {
         murk_histories_release(&r->photon[b].buffer);
     }
     for (size_t m = 0; r->alone && m < r->all->media; ++m) {

@@ -34,7 +34,8 @@ typedef struct murk_recorder {
     int index_of[MURK_MEDIA_MAX]; /* index in desc->medium; -1: not recorded */
     murk_receiver_tree *tree;
     murk_record_buffers *buffers; /* NULL: no records are stored or counted */
-    murk_photon_history photon[MURK_WAVE_BATCHES];
+    size_t batches;               /* of a wave, at most */
+    murk_photon_history *photon;  /* [batches] */
     murk_arena arena;
 } murk_recorder;
 

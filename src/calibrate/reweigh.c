@@ -312,8 +312,7 @@ static void find_range(job *j)
     murk_reweighed *out = j->out;
     j->from = 0;
     j->to = f->n;
-    out->is_divided =
-        out->runs && murk_ranks_count() > 1 && f->n >= MURK_REWEIGH_DIVIDED;
+    out->is_divided = out->runs && murk_ranks_count() > 1;
     if (out->is_divided) {
         const size_t runs = out->runs;
         const size_t first =

@@ -30,15 +30,12 @@ typedef struct murk_reweighed {
                              * smallest over receivers and maps */
     size_t capacity;        /* internal: of slope */
     size_t runs; /* set by the caller: the runs of the sums that will follow,
-                  * by which ranks (base/ranks.h) may divide an evaluation;
-                  * 0: they do not */
-    bool is_divided; /* they do: this rank has the ratios and slopes of its runs
-                      * alone */
+                  * by which ranks (base/ranks.h) divide the evaluation; 0:
+                  * they do not */
+    bool is_divided; /* they do: this rank has ratios and slopes for its runs
+                      * and for its part of effective_share alone, and all
+                      * others are undefined */
 } murk_reweighed;
-
-/* Ranks divide an evaluation of so many contributions or more. Some ten
- * thousand take as long as an exchange of sums. */
-#define MURK_REWEIGH_DIVIDED 16384
 
 /* Re-weights histories traced at `traced` to the optics `at`, into the result
  * of an earlier call, or into zeros; the arrays are reused if n is the same and

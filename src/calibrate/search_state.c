@@ -3,6 +3,7 @@
 #include "calibrate/search_state.h"
 
 #include "base/interrupt.h"
+#include "base/ranks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -147,6 +148,12 @@ murk_status murk_fit_search_predict(murk_fit_search *s, const double *x,
 {
     ++s->evaluations;
     murk_fit_search_values(s, x, s->value);
+    /* Ranks search side by side, and divide an evaluation of one point. */
+    const murk_status status = murk_ranks_check_same(
+        "point of the search", x, s->n * sizeof *x, MURK_OK, err);
+    if (status) {
+        return status;
+    }
     return murk_model_predict(s->model, s->value, s->predicted,
                               with_slopes ? s->slope : NULL, &s->share, err);
 }
@@ -196,7 +203,14 @@ static bool evaluate(void *context, const double *x, double *residual,
 {
     murk_fit_search *s = context;
     s->err = (murk_error){0};
-    if (murk_fit_search_predict(s, x, jacobian != NULL, &s->err)) {
+    const murk_status status =
+        murk_fit_search_predict(s, x, jacobian != NULL, &s->err);
+    if (status == MURK_NO_MEMORY || status == MURK_INTERRUPTED) {
+        /* The solver goes on with a shorter step, and must not do so in one
+         * rank alone. */
+        (void)murk_ranks_agree(status, &s->err);
+    }
+    if (status) {
         return false;
     }
     murk_fit_search_residuals(s, residual, jacobian);

@@ -177,19 +177,40 @@ static murk_status unpack(murk_sightlines *part, size_t parts, unsigned rank,
     return MURK_OK;
 }
 
-murk_status murk_sightlines_exchange(murk_sightlines *part, size_t parts,
-                                     const murk_sightlines_through *t,
-                                     murk_status status, murk_error *err)
+/* Whether the sightlines of all ranks fit into the memory of each rank, twice:
+ * as they are received, and stored. */
+static murk_status check_memory(bool *fits, murk_sightlines_memory *memory,
+                                murk_error *err)
 {
+    const uint64_t own = (uint64_t)murk_tally_read(&memory->bytes);
+    uint64_t all = own;
+    murk_status status = murk_ranks_sum(&all, 1, false, MURK_OK, err);
+    uint64_t lacking = !(2 * (double)all <= memory->max_bytes);
+    status = murk_ranks_sum(&lacking, 1, false, status, err);
+    murk_tally_add(&memory->bytes, (int64_t)(all - own));
+    *fits = lacking == 0;
+    return status;
+}
+
+murk_status murk_sightlines_exchange(bool *fits, murk_sightlines *part,
+                                     size_t parts,
+                                     const murk_sightlines_through *t,
+                                     murk_sightlines_memory *memory,
+                                     murk_error *err)
+{
+    *fits = true;
     if (murk_ranks_count() == 1) {
+        return MURK_OK;
+    }
+    murk_status status = check_memory(fits, memory, err);
+    if (status || !*fits) {
         return status;
     }
     char *bytes = NULL;
     size_t size = 0;
     murk_gathered all = {0};
-    if (!status) {
-        status = pack(&bytes, &size, part, parts, t, err);
-    }
+    /* Give the own parts, and store those of the others. */
+    status = pack(&bytes, &size, part, parts, t, err);
     status = murk_ranks_gather(&all, bytes, size, status, err);
     for (unsigned r = 0; r < murk_ranks_count() && !status; ++r) {
         if (r != murk_ranks_number()) {

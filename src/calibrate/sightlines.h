@@ -44,11 +44,14 @@ bool murk_sightlines_find(murk_sightlines *out,
                           murk_sightlines_memory *memory);
 
 /* Gives all ranks (base/ranks.h) the sightlines of part[parts], of which this
- * rank has found those that it owns (murk_ranks_owns()). Collective. Fails with
- * MURK_NO_MEMORY. */
-murk_status murk_sightlines_exchange(murk_sightlines *part, size_t parts,
+ * rank has found those that it owns (murk_ranks_owns()). *fits: whether the
+ * sightlines of all ranks fit into the memory limit of each; if not, the parts
+ * stay as they are. Collective. Fails with MURK_NO_MEMORY. */
+murk_status murk_sightlines_exchange(bool *fits, murk_sightlines *part,
+                                     size_t parts,
                                      const murk_sightlines_through *through,
-                                     murk_status status, murk_error *err);
+                                     murk_sightlines_memory *memory,
+                                     murk_error *err);
 
 /* Merges part[parts], in order, sorted by contribution (below `contributions`),
  * and releases the parts. False when out of memory or for 2^32 sightlines or

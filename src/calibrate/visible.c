@@ -357,11 +357,17 @@ murk_status murk_visible_create(murk_visible **out,
     describe_media(&f);
     murk_pool_run_workers(desc->threads, murk_ranks_share(desc->poses),
                           find_sightlines, &f);
-    status = murk_sightlines_exchange(f.pose, desc->poses, f.through,
-                                      outcome(&f, err), err);
+    status = murk_ranks_share_failure(outcome(&f, err), err);
+    if (!status) {
+        bool fits;
+        status = murk_sightlines_exchange(&fits, f.pose, desc->poses, f.through,
+                                          &f.memory, err);
+        murk_tally_add(&f.failures, !fits);
+        status = status ? status : outcome(&f, err);
+    }
     if (!status) {
         murk_pool_run(desc->threads, desc->groups, sort_group, &f);
-        status = outcome(&f, err);
+        status = murk_ranks_share_failure(outcome(&f, err), err);
     }
     if (!status) {
         *out = f.visible;

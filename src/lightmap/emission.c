@@ -60,8 +60,14 @@ static bool is_divided(const murk_emission *e)
            (e->sink ? e->exchange != NULL : e->buffers != NULL);
 }
 
-/* Number of photons of the next wave: MURK_WAVE_BATCHES batches, for each rank
- * if ranks divide waves of records, but never more than the remaining photons.
+size_t murk_emission_wave_batches(void)
+{
+    const size_t batches = (size_t)MURK_WAVE_BATCHES * murk_ranks_count();
+    return batches < MURK_WAVE_BATCHES_MAX ? batches : MURK_WAVE_BATCHES_MAX;
+}
+
+/* Number of photons of the next wave: MURK_WAVE_BATCHES batches for each rank
+ * that divides the wave, but never more than the remaining photons.
  * With `store`, a wave has only the batches that should produce the missing
  * records plus 2 %. The first wave is one batch with `store`, because the
  * number of records for each photon is not yet known, and if is_first_small is
@@ -70,9 +76,8 @@ static uint64_t wave_photons(const murk_emission *e)
 {
     const uint64_t done = e->emitted;
     const uint64_t left = photons_max(e) - done;
-    /* Sinks have room for MURK_WAVE_BATCHES batches. */
-    const double ranks = is_divided(e) && !e->sink ? murk_ranks_count() : 1;
-    double batches = fmin(ranks * MURK_WAVE_BATCHES, MURK_WAVE_BATCHES_MAX);
+    double batches = is_divided(e) ? (double)murk_emission_wave_batches()
+                                   : MURK_WAVE_BATCHES;
     if (done == 0 && (wanted(e) || e->is_first_small)) {
         batches = 1;
     } else if (wanted(e) && stored(e) > 0) {
@@ -245,6 +250,9 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
     murk_status status =
         e->gather ? e->gather(e->gather_context, end - 1, err)
                   : murk_record_buffers_gather(e->buffers, end - 1, err);
+    if (e->sink && is_divided(e)) {
+        status = murk_ranks_share_failure(status, err); /* a fit may go on */
+    }
     if (e->checkpoint && is_due && !*is_done) {
         status = write_checkpoint(e, status, err);
     }
@@ -283,6 +291,9 @@ murk_status murk_emission_run(murk_emission *e, murk_error *err)
     }
     if (!status) {
         status = take_back_parts(e, err);
+    }
+    if (status && e->sink) {
+        return status; /* all ranks have failed, and a fit may go on */
     }
     return is_divided(e)
                ? murk_ranks_add_sums(e->ledger, e->tallies, status, err)

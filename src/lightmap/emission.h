@@ -35,12 +35,12 @@ typedef struct murk_emission {
      * that function, and gather must drop what it stores of later photons. If
      * sink and gather are NULL, the record buffers alone are used.
      *
-     * Ranks divide the batches of a wave if `exchange` is given, too: it is
-     * called after a rank has traced its share, with the place of each batch in
-     * the wave (place[n]), of which this rank traced those that it owns
-     * (murk_ranks_owns()), the k-th of them as batch k of the sinks. It must
-     * move these to their places and receive those of the other ranks.
-     * Collective. */
+     * Ranks divide the batches of a wave if `exchange` is given, too. It is
+     * called when a rank has traced its share: place[n] are the places in the
+     * wave of the batches that are traced, and the rank has traced those whose
+     * index in place[] it owns (murk_ranks_owns()), the k-th of them as batch k
+     * of the sinks. exchange must move these to their places and receive those
+     * of the other ranks. Collective. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
     void *context; /* passed to both sinks */
@@ -62,6 +62,10 @@ typedef struct murk_emission {
     uint64_t reached; /* end of the waves so far: photons from `emitted` on were
                          traced and removed again */
 } murk_emission;
+
+/* The most batches of a wave that ranks divide, for which sinks with an
+ * exchange need room. Not collective. */
+size_t murk_emission_wave_batches(void);
 
 /* Fails with MURK_BAD_VALUE if `emit` is given and smaller than the number of
  * channels (light source and band) with power. */

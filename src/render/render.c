@@ -376,7 +376,7 @@ static murk_status set_up(run *r, size_t tiles, murk_error *err)
     return status;
 }
 
-/* A job: the tiles are dealt to ranks in turn. */
+/* A job: the tiles are dealt to ranks in rounds. */
 static void render_own_tile(void *context, unsigned worker, uint64_t k)
 {
     render_tile(context, worker, murk_ranks_item(k));

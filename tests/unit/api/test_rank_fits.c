@@ -12,30 +12,46 @@
 /* A fit, with the number of its photons and starts, and how often a search may
  * trace. */
 typedef struct example {
-    const char *scene, *data, *key, *emit;
+    const char *scene, *data, *key[2], *emit;
+    const char *start; /* of the first key; NULL: as in the scene */
+    size_t keys;
     size_t starts, traces;
     char *json; /* its fields, by one rank */
 } example;
 
 static example few = {.scene = "scenes/calibrate-fog.yaml",
                       .data = "scenes/calibrate/fog.csv",
-                      .key = "media.fog.extinction_per_m",
-                      .emit = "600",
+                      .key = {"media.fog.extinction_per_m"},
+                      .keys = 1,
+                      .emit = "300",
                       .starts = 4,
                       .traces = 4};
+/* So far off that a further start is the best and traces light, and that there
+ * are restarts; scattering angles are recorded. */
+static example far_off = {
+    .scene = "scenes/calibrate-fog.yaml",
+    .data = "scenes/calibrate/fog.csv",
+    .key = {"media.fog.extinction_per_m", "media.fog.phase.hg"},
+    .keys = 2,
+    .start = "2",
+    .emit = "300",
+    .starts = 4,
+    .traces = 2};
 /* So many contributions that ranks divide an evaluation
- * (MURK_REWEIGH_DIVIDED). */
+ * (MURK_LIGHTING_DIVIDED). */
 static example receivers = {.scene = "scenes/calibrate-fog.yaml",
                             .data = "scenes/calibrate/fog.csv",
-                            .key = "media.fog.extinction_per_m",
+                            .key = {"media.fog.extinction_per_m"},
+                            .keys = 1,
                             .emit = "90000",
                             .starts = 1,
                             .traces = 1};
 static example coverage = {.scene = "scenes/calibrate-coverage.yaml",
                            .data = "scenes/calibrate/coverage.csv",
-                           .key = "media.fog.visibility_m",
+                           .key = {"media.fog.visibility_m"},
+                           .keys = 1,
                            .emit = "12000",
-                           .starts = 1,
+                           .starts = 2,
                            .traces = 1};
 
 typedef struct job {
@@ -48,7 +64,6 @@ typedef struct job {
 static murk_status fit(void *user, unsigned number, murk_error *error)
 {
     job *j = user;
-    const char *const keys[] = {j->of->key};
     const murk_context_options options = {.size = sizeof options,
                                           .threads = j->threads};
     const murk_fit_options asked = {
@@ -66,9 +81,12 @@ static murk_status fit(void *user, unsigned number, murk_error *error)
     if (!status) {
         status = murk_scene_set(scene, "photons.emit", j->of->emit, error);
     }
+    if (!status && j->of->start) {
+        status = murk_scene_set(scene, j->of->key[0], j->of->start, error);
+    }
     if (!status) {
-        status =
-            murk_fit_create(&made, scene, j->of->data, keys, 1, &asked, error);
+        status = murk_fit_create(&made, scene, j->of->data, j->of->key,
+                                 j->of->keys, &asked, error);
     }
     if (j->is_stopped && number == 1) {
         murk_context_cancel(context);
@@ -124,20 +142,38 @@ static void test_a_stopped_rank_ends_all(void)
     }
 }
 
+/* Rank 1 is asked to stop in exchanges further and further into the fit: of
+ * photons, sightlines and sums. */
+static void test_a_rank_may_be_stopped_in_any_exchange(void)
+{
+    static const unsigned stops[] = {1, 5, 20, 60};
+    for (size_t k = 0; k < sizeof stops / sizeof *stops; ++k) {
+        job j = {.of = &coverage, .threads = 1};
+        const thread_ranks_end end =
+            thread_ranks_run_stopped(2, stops[k], fit, &j);
+        for (unsigned r = 0; r < 2; ++r) {
+            CHECK(end.status[r] == MURK_INTERRUPTED && !j.json[r]);
+            free(j.json[r]);
+        }
+    }
+}
+
 int main(void)
 {
-    example *const all[] = {&few, &receivers, &coverage};
-    for (size_t i = 0; i < 3; ++i) {
+    example *const all[] = {&few, &far_off, &receivers, &coverage};
+    for (size_t i = 0; i < 4; ++i) {
         fit_alone(all[i]);
     }
     CHECK(fits_are_the_same(&few, 2, 2, THREAD_RANKS_SOUND));
     CHECK(fits_are_the_same(&few, 8, 1, THREAD_RANKS_SOUND)); /* idle ranks */
-    CHECK(fits_are_the_same(&receivers, 3, 1, THREAD_RANKS_SOUND));
-    CHECK(fits_are_the_same(&coverage, 2, 1, THREAD_RANKS_SOUND));
+    CHECK(fits_are_the_same(&far_off, 3, 1, THREAD_RANKS_SOUND));
+    CHECK(fits_are_the_same(&receivers, 2, 1, THREAD_RANKS_SOUND));
+    CHECK(fits_are_the_same(&coverage, 3, 1, THREAD_RANKS_SOUND));
     CHECK(!fits_are_the_same(&few, 2, 1, THREAD_RANKS_FLIP_BIT));
     CHECK(!fits_are_the_same(&coverage, 2, 1, THREAD_RANKS_LOSE_WORDS));
     test_a_stopped_rank_ends_all();
-    for (size_t i = 0; i < 3; ++i) {
+    test_a_rank_may_be_stopped_in_any_exchange();
+    for (size_t i = 0; i < 4; ++i) {
         free(all[i]->json);
     }
     return check_done();

@@ -1,6 +1,7 @@
 /* The functions of base/ranks.h, with ranks as threads: sums, arrays that are
  * completed, gathered bytes, joined blocks, failures, items that are dealt out,
  * and the shares of ranks. Exchanges with a defect are noticed. */
+#include "base/host.h"
 #include "check.h"
 #include "thread_ranks.h"
 
@@ -216,6 +217,42 @@ static void test_blocks_are_joined(void)
     CHECK(!blocks_are_joined(3, THREAD_RANKS_FLIP_BIT));
 }
 
+/* ---- failures that a caller tolerates ---- */
+
+/* Rank 1 fails with `status`; then all ranks add a number. */
+typedef struct tolerated {
+    murk_status status, shared[THREAD_RANKS_MAX];
+    uint64_t sum[THREAD_RANKS_MAX];
+} tolerated;
+
+static murk_status tolerate(void *context, unsigned number, murk_error *err)
+{
+    tolerated *t = context;
+    const murk_status own = number == 1 && t->status
+                                ? murk_fail(err, t->status, "", "lost")
+                                : MURK_OK;
+    t->shared[number] = murk_ranks_share_failure(own, err);
+    t->sum[number] = 1;
+    return murk_ranks_sum(&t->sum[number], 1, false, MURK_OK, err);
+}
+
+static void test_a_failure_that_is_shared_is_not_final(void)
+{
+    static const murk_status statuses[] = {MURK_OK, MURK_BAD_VALUE,
+                                           MURK_NO_MEMORY};
+    for (size_t k = 0; k < 3; ++k) {
+        tolerated t = {.status = statuses[k]};
+        const thread_ranks_end end =
+            thread_ranks_run(3, THREAD_RANKS_SOUND, tolerate, &t);
+        const bool is_final = statuses[k] == MURK_NO_MEMORY;
+        for (unsigned r = 0; r < 3; ++r) {
+            CHECK(t.shared[r] == statuses[k]);
+            CHECK(end.status[r] == (is_final ? MURK_NO_MEMORY : MURK_OK));
+            CHECK(is_final || t.sum[r] == 3);
+        }
+    }
+}
+
 /* ---- failures ---- */
 
 typedef struct failures {
@@ -362,6 +399,53 @@ static murk_status list_shares(void *context, unsigned number, murk_error *err)
     return MURK_OK;
 }
 
+/* Shares need no exchange, so a table of ranks without functions serves. Each
+ * of n items belongs to the rank that finds it among its own. */
+static void test_shares_of_hundreds_of_ranks(void)
+{
+    enum { ITEMS_MANY = 1000, RANKS_MANY = 300 };
+    murk_ranks ranks = {.count = RANKS_MANY};
+    const murk_ranks *before = murk_host_now()->ranks;
+    murk_host_now()->ranks = &ranks;
+    size_t found = 0;
+    for (ranks.number = 0; ranks.number < RANKS_MANY; ++ranks.number) {
+        const uint64_t share = murk_ranks_share(ITEMS_MANY);
+        CHECK(share >= ITEMS_MANY / RANKS_MANY &&
+              share <= ITEMS_MANY / RANKS_MANY + 1);
+        for (uint64_t k = 0; k < share; ++k) {
+            found += murk_ranks_item(k) < ITEMS_MANY &&
+                     murk_ranks_owner(murk_ranks_item(k)) == ranks.number;
+        }
+    }
+    CHECK(found == ITEMS_MANY);
+    murk_host_now()->ranks = before;
+}
+
+/* Of each column of a grid that is a power of two wide, each of 2 or 4 ranks
+ * gets a fair share. 200 items are 50 +- 6 for a rank of 4, and 5 standard
+ * deviations less are 19; a column that belongs to one rank has 0 for another.
+ */
+static void test_columns_of_a_grid_are_shared(void)
+{
+    murk_ranks ranks = {.count = 0};
+    const murk_ranks *before = murk_host_now()->ranks;
+    murk_host_now()->ranks = &ranks;
+    for (ranks.count = 2; ranks.count <= 4; ranks.count += 2) {
+        for (uint64_t width = 2; width <= 64; width *= 2) {
+            for (uint64_t column = 0; column < width; ++column) {
+                unsigned of_rank[4] = {0};
+                for (uint64_t row = 0; row < 200; ++row) {
+                    ++of_rank[murk_ranks_owner(row * width + column)];
+                }
+                for (unsigned r = 0; r < ranks.count; ++r) {
+                    CHECK(of_rank[r] >= 19);
+                }
+            }
+        }
+    }
+    murk_host_now()->ranks = before;
+}
+
 static void test_shares_cover_all_items_once(void)
 {
     for (unsigned count = 1; count <= THREAD_RANKS_MAX; ++count) {
@@ -458,10 +542,13 @@ int main(void)
     test_bytes_are_gathered();
     test_a_single_process_gathers_its_own_bytes();
     test_blocks_are_joined();
+    test_a_failure_that_is_shared_is_not_final();
     test_the_first_failure_reaches_all();
     test_an_early_return_ends_all();
     test_each_item_is_dealt_once();
     test_shares_cover_all_items_once();
+    test_shares_of_hundreds_of_ranks();
+    test_columns_of_a_grid_are_shared();
     test_other_bytes_of_a_rank_are_noticed();
     test_no_item_is_dealt_after_the_end();
     return check_done();
