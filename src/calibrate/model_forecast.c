@@ -80,8 +80,9 @@ static murk_status try_light(light_size *out, const murk_lighting *lighting,
         *out = size_of(&pilot, grow, keys);
     }
     murk_lighting_darken(&pilot);
-    /* Only an interrupt is reported. */
-    return status == MURK_INTERRUPTED
+    /* An interrupt is reported, and lack of memory, which may be that of one
+     * rank alone; the trace of all photons reports other failures. */
+    return status == MURK_INTERRUPTED || status == MURK_NO_MEMORY
                ? murk_fail(err, status, own.where, "%s", own.text)
                : MURK_OK;
 }

@@ -152,7 +152,7 @@ murk_status murk_fit_search_predict(murk_fit_search *s, const double *x,
     const murk_status status = murk_ranks_check_same(
         "point of the search", x, s->n * sizeof *x, MURK_OK, err);
     if (status) {
-        return status;
+        return murk_ranks_agree(status, err); /* final: it is not tolerated */
     }
     return murk_model_predict(s->model, s->value, s->predicted,
                               with_slopes ? s->slope : NULL, &s->share, err);

@@ -50,7 +50,8 @@ expect place $room --store 15000 --set placement.method=greedy -o "$dir/own_rows
 expect place $room --store 500 --set placement.knowledge=unknown --set placement.method=greedy -o "$dir/unknown"
 expect place $room --store 500 --repeat 3 -o "$dir/repeat"
 expect study "$dir/study.yaml" --store 300 -o "$dir/study"
-expect render scenes/smoke-hall.yaml --emit 1000 --set 'cameras=[{name: a, from_m: [1, 1, 1], to_m: [2, 2, 1], pixels: [8, 6], samples: 2}]' -o "$dir/a.exr"
+expect render scenes/smoke-hall.yaml --emit 1000 -o "$dir/a.exr" \
+    --set 'cameras=[{name: a, from_m: [1, 1, 1], to_m: [2, 2, 1], pixels: [8, 6], samples: 2}]'
 expect fit scenes/calibrate-coverage.yaml --data scenes/calibrate/coverage.csv --free media.fog.visibility_m \
     --emit 12000 --starts 2 -o "$dir/fit"
 exit $failed
