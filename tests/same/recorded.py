@@ -52,6 +52,8 @@ ONE_RUN = [
     (re.compile(r"\b[0-9a-f]{64}\b|sha256-[A-Za-z0-9+/]{43}="), "CHECKSUM"),
     # sizes of files, which hold times and the commit
     (re.compile(r'(<th scope="row">[\w.-]+\.\w+</th><td>)\d+'), r"\1SIZE"),
+    # a difference of two nearly equal costs, which consists of their last bits
+    (re.compile(r"(cost_change\|/cost:\s+)\S+"), r"\1CHANGE"),
     (re.compile(r"\b(?:gcc|clang) \d+\.\d+\.\d+ ?"), "COMPILER"),
     # the date and the program version of a manual page
     (re.compile(r'^(\.TH \S+ 1) [\d-]+ "murk [\d.]+"', re.M), r"\1"),
