@@ -85,6 +85,7 @@ cJSON *murk_overview_json(const murk_overview *o)
     murk_overview_json_sensor_types(root, o->session->scene, o->poses);
     murk_json_tallies(root, o->session);
     murk_overview_json_cameras(root, o->session->scene, &o->forecast);
+    murk_overview_json_timeline(root, o->session->scene);
     murk_overview_json_forecast(root, o->session, o->poses, &o->forecast);
     if (o->ranks > 0) {
         murk_overview_json_ranks(root, o->session, o->poses, &o->forecast,
@@ -164,6 +165,7 @@ void murk_overview_print(const void *of)
     murk_print_asked_conditions(scene);
     murk_print_asked_tallies(o->session);
     murk_overview_print_cameras(scene, &o->forecast);
+    murk_overview_print_timeline(scene);
     murk_overview_print_forecast(o->session, o->poses, &o->forecast);
     if (o->ranks > 0) {
         murk_overview_print_ranks(o->session, o->poses, &o->forecast, o->ranks);
@@ -199,6 +201,7 @@ murk_status murk_overview_make(murk_overview *out, const murk_session *session,
     }
     if (!status) {
         murk_overview_warn_of_cameras(scene, &out->forecast);
+        murk_overview_warn_of_timeline(scene);
         murk_warn_of_escape(stage, out->forecast.escaped_share);
         murk_warn_of_thin_forecast(scene, &out->forecast);
     }

@@ -140,19 +140,39 @@ static void print_runs(const uint64_t *frames, size_t n, char *out, size_t size)
     }
 }
 
-void murk_frames_list(const char *pattern, char *out, size_t size)
+/* The existing frames in rising order, FRAMES_MAX of them at most; the caller
+ * frees the array. NULL, with *n 0, if there are none. */
+static uint64_t *find_frames(const char *pattern, size_t *n)
 {
     place p;
-    snprintf(out, size, "none");
     char *path = murk_path_beside(pattern, ".");
     DIR *folder = path && find_place(pattern, &p) ? opendir(path) : NULL;
+    uint64_t *frames = NULL;
+    *n = 0;
     free(path);
-    if (!folder) {
-        return;
+    if (folder) {
+        frames = list_frames(folder, &p, n);
+        closedir(folder);
     }
+    return frames;
+}
+
+bool murk_frames_first(const char *pattern, uint64_t *first)
+{
     size_t n;
-    uint64_t *frames = list_frames(folder, &p, &n);
-    closedir(folder);
+    uint64_t *frames = find_frames(pattern, &n);
+    if (n > 0) {
+        *first = frames[0];
+    }
+    free(frames);
+    return n > 0;
+}
+
+void murk_frames_list(const char *pattern, char *out, size_t size)
+{
+    size_t n;
+    uint64_t *frames = find_frames(pattern, &n);
+    snprintf(out, size, "none");
     if (n > 0) {
         print_runs(frames, n, out, size);
     }

@@ -7,12 +7,17 @@
 #ifndef MURK_SCENE_FRAMES_H
 #define MURK_SCENE_FRAMES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 /* The file name of a frame, which the caller frees. NULL if there is no
  * pattern, or no memory. */
 char *murk_frames_file(const char *pattern, uint64_t frame);
+
+/* Finds the smallest number of the existing frames. False if there are none or
+ * the folder cannot be read. */
+bool murk_frames_first(const char *pattern, uint64_t *first);
 
 /* Lists the existing frames, as "1..24, 30"; "none" if there are none or the
  * folder cannot be read. A list longer than `out` ends with "...". */

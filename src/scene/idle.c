@@ -33,7 +33,7 @@ enum {
     N_USES
 };
 
-static bool asks_time(const murk_scene_desc *s)
+bool murk_idle_asks_time(const murk_scene_desc *s)
 {
     for (size_t i = 0; i < s->n_lights; ++i) {
         const murk_scene_light *light = &s->lights[i];
@@ -72,7 +72,7 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [REGRET] = p->over == MURK_SCENE_OBJECTIVE_REGRET,
         [BUDGET] = s->sensors.budget > 0,
         [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
-        [TIME] = asks_time(s),
+        [TIME] = murk_idle_asks_time(s),
     };
     for (int i = 0; i < N_USES; ++i) {
         uses[i] = uses[i] || own[i];

@@ -26,4 +26,7 @@ extern const murk_idle_key murk_idle_keys[]; /* key NULL ends it */
  * out of memory. */
 bool murk_idle_find(murk_scene_desc *scene, murk_yaml *root);
 
+/* True if the light of the scene depends on the time of its site. */
+bool murk_idle_asks_time(const murk_scene_desc *scene);
+
 #endif

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "base/number.h"
+
 murk_key_position murk_key_path_root(murk_yaml *root)
 {
     static const murk_key whole = {.kind = MURK_KEY_MAP,
@@ -46,6 +48,25 @@ murk_key_position murk_key_path_member(const murk_key_position *at,
                ? (murk_key_position){child, murk_keys_find(at->row->keys, part),
                                      false}
                : (murk_key_position){child, at->row, true};
+}
+
+bool murk_key_path_item(const murk_yaml *list, const char *part, size_t *index)
+{
+    uint64_t number;
+    if (part[0] && strspn(part, "0123456789") == strlen(part) &&
+        murk_count_parse(part, &number)) {
+        *index = (size_t)number;
+        return number < list->n;
+    }
+    for (size_t i = 0; i < list->n; ++i) {
+        const murk_yaml *name = murk_yaml_get(list->child[i], "name");
+        if (name && name->kind == MURK_YAML_SCALAR &&
+            strcmp(name->text, part) == 0) {
+            *index = i;
+            return true;
+        }
+    }
+    return false;
 }
 
 bool murk_key_path_spread(const murk_key_position *at, size_t bands)

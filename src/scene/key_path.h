@@ -34,6 +34,10 @@ size_t murk_key_path_part(const murk_key_position *at, const char *path);
 murk_key_position murk_key_path_member(const murk_key_position *at,
                                        const char *part, murk_yaml *child);
 
+/* Finds an item of a list by its index, or by the value of its key `name`.
+ * False, with *index undefined, if there is none. */
+bool murk_key_path_item(const murk_yaml *list, const char *part, size_t *index);
+
 /* Replaces one value for all bands by a list with the value for each of
  * `bands`, so that a single band can be set: a resolved scene contains equal
  * values of all bands only once. False if the node is no such value, or when

@@ -73,6 +73,8 @@ typedef struct murk_key {
     size_t flag_at;  /* a bool that is true if the key is given */
     bool lights;     /* top level: the traced light depends on the key */
     bool may_differ; /* top level: conditions may set it */
+    bool is_still;   /* top level: the same at all times, so that no track of
+                      * the timeline may set it */
     murk_status (*read)(murk_key_reader *walk, const struct murk_key *key,
                         murk_yaml *node, void *member);
     const char *allowed; /* of a key of kind MURK_KEY_OWN: the allowed values

@@ -72,8 +72,8 @@ static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
             return murk_walk_fail_key(
                 walk, map->child[i],
                 "must be the same in all conditions; what may differ lies in "
-                "seed, materials, geometry, media, regions, lights, photons, "
-                "flight, tallies");
+                "seed, timeline, materials, geometry, media, regions, lights, "
+                "photons, flight, tallies");
         }
         murk_walk_leave(walk, back);
     }

@@ -112,7 +112,8 @@ extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_region_keys, murk_light_keys, murk_photon_keys, murk_tally_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
-    murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys;
+    murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys,
+    murk_timeline_keys;
 
 /* The keys of a box (murk_box) and of a sphere (murk_scene_solid). */
 extern const murk_keys murk_box_keys, murk_sphere_keys;
@@ -152,6 +153,11 @@ murk_status murk_read_schedule(murk_key_reader *walk, const murk_key *key,
  * none), and checks the irradiance. */
 murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light);
+
+/* For the whole scene, after everything is read: a scene that changes with time
+ * needs a domain. */
+murk_status murk_check_timeline(murk_key_reader *walk,
+                                const murk_scene_desc *scene);
 
 /* For the whole scene, after everything is read: placement over conditions
  * needs conditions. */

@@ -46,21 +46,27 @@ static const murk_keys DOMAIN_KEYS = {.noun = "domain",
  * conditions, VARIED may be set by conditions. */
 #define TRACED .lights = true
 #define VARIED .lights = true, .may_differ = true
+#define STILL  .is_still = true
 #define NM     .above = true, .max = 1e9, .unit = "nm"
 
 /* Keys are read in this order: bands before spectra, names before the keys
  * that refer to them. */
 static const murk_key SCENE_ROWS[] = {
-    ROW("murk", COUNT, NEEDED, .min = 1, .max = 1),
-    ROW("bands_nm", BANDS, .group = 1, NM, .preset = "[550]", TRACED,
+    ROW("murk", COUNT, NEEDED, .min = 1, .max = 1, STILL),
+    ROW("bands_nm", BANDS, .group = 1, NM, .preset = "[550]", TRACED, STILL,
         SCENE(band_nm)),
-    ROW("band_edges_nm", BAND_EDGES, .group = 1, NM, TRACED,
+    ROW("band_edges_nm", BAND_EDGES, .group = 1, NM, TRACED, STILL,
         SCENE(band_edge_nm)),
-    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", VARIED, SCENE(seed)),
-    ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", TRACED, SCENE(north)),
+    ROW("seed", COUNT, .max = 4294967295.0, .preset = "1", VARIED, STILL,
+        SCENE(seed)),
+    ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", TRACED, STILL,
+        SCENE(north)),
     ROW("site", MAP, .keys = &murk_site_keys, TRACED,
         INSIDE(murk_scene_desc, site)),
-    ROW("domain", MAP, .keys = &DOMAIN_KEYS, TRACED,
+    ROW("timeline", MAP, .keys = &murk_timeline_keys, .may_differ = true, STILL,
+        INSIDE(murk_scene_desc, timeline),
+        FLAG(murk_scene_desc, timeline.given)),
+    ROW("domain", MAP, .keys = &DOMAIN_KEYS, TRACED, STILL,
         FLAG(murk_scene_desc, has_domain)),
     ROW("materials", NAMED, .keys = &murk_material_keys, .preset = "{}",
         VARIED),
@@ -69,16 +75,17 @@ static const murk_key SCENE_ROWS[] = {
     ROW("regions", LIST, .keys = &murk_region_keys, .preset = "[]", VARIED),
     ROW("lights", LIST, .keys = &murk_light_keys, NEEDED, VARIED),
     ROW("photons", MAP, .keys = &murk_photon_keys, .preset = "{}", VARIED,
-        INSIDE(murk_scene_desc, photons)),
-    ROW("flight", WORD, .preset = "march", VARIED,
+        STILL, INSIDE(murk_scene_desc, photons)),
+    ROW("flight", WORD, .preset = "march", VARIED, STILL,
         WORDS({"march", 0}, {"delta", 1}), SCENE(by_delta)),
-    ROW("units", WORD, .preset = "radiometric", SCENE(units),
+    ROW("units", WORD, .preset = "radiometric", STILL, SCENE(units),
         .words = murk_units_words),
     ROW("tallies", LIST, .keys = &murk_tally_keys, .preset = "[]",
-        .may_differ = true),
+        .may_differ = true, STILL),
     ROW("sensors", MAP, .keys = &murk_sensor_keys,
         INSIDE(murk_scene_desc, sensors), FLAG(murk_scene_desc, sensors.given)),
-    ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}"),
+    ROW("conditions", NAMED, .keys = &murk_condition_keys, .preset = "{}",
+        STILL),
     ROW("placement", MAP, .keys = &murk_placement_keys, .preset = "{}",
         INSIDE(murk_scene_desc, placement)),
     ROW("cameras", LIST, .keys = &murk_camera_keys, .preset = "[]"),
@@ -98,7 +105,8 @@ static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
                               n.x, n.y, n.z);
     }
     scene->north = murk_scale(1 / length, n);
-    return murk_check_conditions(walk, map, item);
+    const murk_status status = murk_check_timeline(walk, scene);
+    return status ? status : murk_check_conditions(walk, map, item);
 }
 
 const murk_keys murk_scene_keys = {

@@ -200,6 +200,7 @@ static const murk_key FIXED_ROWS[] = {
     ROW("heading_deg", NUMBER, .min = -360, .max = 360, RADIANS,
         FIXED(heading_rad)),
     ROW("tilt_deg", NUMBER, .min = -90, .max = 90, RADIANS, FIXED(tilt_rad)),
+    ROW("failed", BOOL, FIXED(is_failed)),
     END,
 };
 

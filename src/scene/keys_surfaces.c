@@ -2,6 +2,7 @@
 #include "scene/keys_rows.h"
 
 #include <float.h>
+#include <string.h>
 
 #define SHAPE_KEY(id, key) key,
 static const char *const GEOMETRY_VARIANTS[] = {MURK_SURFACE_SHAPES(SHAPE_KEY)
@@ -28,7 +29,26 @@ static const murk_keys RECT = {
 
 #define OF_MESH .variants = BIT(MURK_SHAPE_MESH)
 
+/* Names serve as parts of paths, where a number is the index of an item. */
+static murk_status check_geometry(murk_key_reader *walk, const murk_yaml *map,
+                                  void *item)
+{
+    const murk_scene_geometry *first = walk->scene->geometry, *own = item;
+    if (own->name[0] == '\0') {
+        return MURK_OK;
+    }
+    if (strspn(own->name, "0123456789") == strlen(own->name) ||
+        strchr(own->name, '.')) {
+        return murk_walk_fail(walk, map,
+                              "name: %s, must not be a number or have a point",
+                              own->name);
+    }
+    return murk_check_own_name(walk, map, "geometry", first, sizeof *first,
+                               own);
+}
+
 static const murk_key GEOMETRY_ROWS[] = {
+    ROW("name", TEXT, GEOMETRY(name)),
     ROW("file", PATH, .group = 1, NEEDED, GEOMETRY(solid.mesh)),
     BOX_ROW(murk_scene_geometry, .group = 1, NEEDED),
     ROW("rect", MAP, .group = 1, NEEDED, .keys = &RECT),
@@ -45,6 +65,7 @@ const murk_keys murk_geometry_keys = {
     .noun = "geometry",
     .by_key = true,
     .variant_names = GEOMETRY_VARIANTS,
+    .check = check_geometry,
     VARIANT(murk_scene_geometry, shape),
     WHERE(murk_scene_geometry, where),
     ITEMS(murk_scene_desc, geometry, geometries),

@@ -144,17 +144,20 @@ static murk_status step_list(const option_context *option,
                              murk_yaml **value, murk_yaml **child)
 {
     murk_yaml *list = at->node;
-    uint64_t index;
+    size_t index;
     char shown[MURK_SCENE_NAME_SIZE];
-    /* The part must be the number of an existing item. */
+    /* The part must be the number or the name of an existing item. */
     murk_words_show(shown, sizeof shown, part);
     if (list->n == 0) {
         return fail(option, "item %s of an empty list", shown);
     }
-    if (!is_index(part) || !murk_count_parse(part, &index) ||
-        index >= list->n) {
-        return fail(option, "item %s of a list of %zu, must be 0..%zu", shown,
-                    list->n, list->n - 1);
+    if (!murk_key_path_item(list, part, &index)) {
+        const bool has_names =
+            at->row && at->row->keys && murk_keys_find(at->row->keys, "name");
+        return fail(option, "item %s of a list of %zu, must be 0..%zu%s", shown,
+                    list->n, list->n - 1,
+                    has_names && !is_index(part) ? " or the name of an item"
+                                                 : "");
     }
     /* The last part of the path: replace the item. */
     if (value) {

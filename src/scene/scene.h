@@ -54,6 +54,7 @@ static inline murk_affine murk_scene_placed(const murk_scene_solid *s)
 }
 
 typedef struct murk_scene_geometry {
+    murk_scene_name name; /* unique; empty: none */
     murk_scene_where where;
     murk_shape shape;
     murk_scene_solid solid;
@@ -348,6 +349,8 @@ typedef struct murk_scene_fixed_sensor {
     size_t type;
     murk_vec3 position;
     double heading_rad, tilt_rad;
+    bool is_failed; /* only while the scene is read, which removes sensors that
+                     * have failed */
 } murk_scene_fixed_sensor;
 
 typedef struct murk_scene_sensors {
@@ -449,6 +452,65 @@ typedef struct murk_scene_placement {
     bool relative_regret; /* regret: relative */
 } murk_scene_placement;
 
+/* How a value between two keyframes, or between two files of a sequence,
+ * follows from both. */
+typedef enum murk_between {
+    MURK_BETWEEN_LINEAR,  /* numbers are interpolated; any other value holds */
+    MURK_BETWEEN_NEAREST, /* that of the nearer time; halfway, of the later */
+    MURK_BETWEEN_HOLD     /* that of the earlier time */
+} murk_between;
+
+typedef enum murk_track_kind {
+    MURK_TRACK_GEOMETRY, /* moves an item of the geometry */
+    MURK_TRACK_MEDIUM,   /* chooses the files of a sequence of grids */
+    MURK_TRACK_KEY,      /* sets any key of the scene */
+    MURK_TRACK_SENSOR    /* moves a sensor, or ends it */
+} murk_track_kind;
+
+/* More steps than any sequence needs. */
+#define MURK_TIMELINE_STEPS_MAX 1000000
+
+/* Something that changes in the course of the timeline. scene/timeline.h puts
+ * the values of keyframes in place, before the structs of a scene are filled.
+ */
+typedef struct murk_scene_track {
+    murk_scene_where where;
+    murk_track_kind kind;
+    murk_between between;
+    murk_scene_name item;     /* geometry: name or index, as given */
+    murk_scene_numbers light; /* geometry: indices of lights that move along */
+    murk_scene_name medium;
+    char *frames; /* medium: pattern of files; NULL: that of the medium */
+    bool has_first;
+    uint64_t first_frame; /* medium: number of the file at from_s */
+    double from_s, every_s;
+    char *key;
+    uint64_t sensor; /* index among the sensors of a plan, fixed ones first */
+    bool fails;
+    double fails_at_s;
+    struct murk_scene_keyframe *keyframe; /* [keyframes] */
+    size_t keyframes;
+} murk_scene_track;
+
+typedef struct murk_scene_keyframe {
+    double t_s;
+    murk_vec3 translate_m, rotate_deg; /* geometry */
+    murk_vec3 position_m;              /* sensors */
+} murk_scene_keyframe;
+
+/* The times of a scene that changes, in seconds after site.time. */
+typedef struct murk_scene_timeline {
+    murk_scene_where where;
+    bool given;
+    double from_s, to_s, every_s; /* no meaning if times_s.n > 0 */
+    murk_scene_numbers times_s;
+    bool has_at;
+    double at_s; /* the time at which the scene is read; unless has_at that of
+                  * the first step */
+    murk_scene_track *track;
+    size_t tracks;
+} murk_scene_timeline;
+
 /* Each condition may have a traced light of its own; 16 bounds memory and time.
  */
 #define MURK_SCENE_CONDITIONS_MAX 16
@@ -484,6 +546,7 @@ struct murk_scene_desc {
     uint32_t seed;
     murk_vec3 north; /* horizontal unit vector */
     murk_scene_site site;
+    murk_scene_timeline timeline;
     murk_vec3 origin; /* the local origin, in the coordinates of the file: all
                        * positions in these structs are relative to this origin;
                        * 0 unless the scene is far from 0 (scene/origin.h) */

@@ -19,6 +19,7 @@
 #include "scene/origin.h"
 #include "scene/override.h"
 #include "scene/print.h"
+#include "scene/timeline.h"
 #include "scene/value.h"
 #include "scene/variant.h"
 #include "scene/walk.h"
@@ -160,8 +161,9 @@ static bool is_of_base(const char *key)
 }
 
 /* Prints the top-level keys of the tree for which is_wanted() is true, the
- * properties computed from presets, and with has_conditions the whole_key of
- * each condition. Returns the text; NULL when out of memory. */
+ * properties computed from presets, the time if clocks are read at another time
+ * than the site has, and with has_conditions the whole_key of each condition.
+ * Returns the text; NULL when out of memory. */
 static char *print_key(const murk_key_reader *walk,
                        const murk_scene_desc *scene,
                        bool (*is_wanted)(const char *key), bool has_conditions)
@@ -174,6 +176,10 @@ static char *print_key(const murk_key_reader *walk,
     }
     murk_print_map(out, walk->root, is_wanted);
     murk_medium_preset_sign(out, scene);
+    if (is_wanted("site") && scene->timeline.given &&
+        murk_idle_asks_time(scene)) {
+        fprintf(out, "at %.17g s\n", scene->timeline.at_s);
+    }
     for (size_t i = 0; i < scene->n_conditions && has_conditions; ++i) {
         const murk_scene_condition *condition = &scene->conditions[i];
         fprintf(out, "condition %s\n%s", condition->name,
@@ -234,6 +240,9 @@ static murk_status read_condition(murk_scene_condition *condition,
         tree && condition->scene
             ? murk_condition_apply(&values, tree, condition->name, err)
             : no_memory(base->path, err);
+    if (!status) {
+        status = murk_timeline_apply(tree, err);
+    }
     if (status) {
         goto done;
     }
@@ -274,7 +283,10 @@ static murk_status read_tree(reading *r, murk_scene_desc *scene,
         }
     }
     r->walk = (murk_key_reader){.scene = scene, .root = r->root, .err = err};
-    status = murk_walk_root(&r->walk, &murk_scene_keys, scene);
+    status = murk_timeline_apply(r->root, err);
+    if (!status) {
+        status = murk_walk_root(&r->walk, &murk_scene_keys, scene);
+    }
     for (size_t i = 0; !status && i < scene->n_conditions; ++i) {
         status =
             read_condition(&scene->conditions[i], scene, r->root, given, err);
@@ -330,6 +342,10 @@ static murk_status read_text(reading *r, murk_scene_desc **out,
     status = scene ? read_tree(r, scene, err) : no_memory(path, err);
     if (status) {
         goto done;
+    }
+    murk_timeline_finish(scene);
+    for (size_t i = 0; i < scene->n_conditions; ++i) {
+        murk_timeline_finish(scene->conditions[i].scene);
     }
     murk_origin_move(scene);
     *out = scene;

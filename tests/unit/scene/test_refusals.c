@@ -64,8 +64,8 @@ static const refusal REFUSALS[] = {
      "gold is not in materials, must be a name given there: default, wood"},
     {"geometry:\n  - {sphere: {center_m: [0, 0, 0], radius_m: 1}, up: z}\n",
      VALUE, "fog.yaml:3:50: geometry.0.up",
-     "not a key of a geometry (sphere), must be one of file, box, rect, "
-     "sphere, scale, rotate_deg, translate_m, material"},
+     "not a key of a geometry (sphere), must be one of name, file, box, "
+     "rect, sphere, scale, rotate_deg, translate_m, material"},
     {"geometry:\n  - {rect: {corner_m: [0, 0, 0], edge1_m: [1, 2, 3], "
      "edge2_m: [2, 4, 6]}}\n",
      VALUE, "fog.yaml:3:6: geometry.0.rect",

@@ -1,0 +1,505 @@
+/* Puts the values of one time in place: reads the timeline by the key table,
+ * then makes for each track the nodes of the values at that time, and puts them
+ * at their paths by scene/override.h. */
+#include "scene/timeline.h"
+
+#include "base/number.h"
+#include "base/words.h"
+#include "scene/frames.h"
+#include "scene/key_path.h"
+#include "scene/override.h"
+#include "scene/value.h"
+#include "scene/walk.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PATH_SIZE 400
+#define NAMES_MAX 64 /* of items, from which a message suggests one */
+
+/* Times that differ by less than this share of a step are the same: times of
+ * steps and of files are computed from decimal fractions. */
+#define TIME_ROUNDING 1e-9
+
+/* ---- steps ---- */
+
+size_t murk_timeline_steps(const murk_scene_timeline *t)
+{
+    return t->times_s.n > 0
+               ? t->times_s.n
+               : (size_t)((t->to_s - t->from_s) / t->every_s + TIME_ROUNDING) +
+                     1;
+}
+
+double murk_timeline_time_s(const murk_scene_timeline *t, size_t i)
+{
+    return t->times_s.n > 0 ? t->times_s.value[i]
+                            : t->from_s + (double)i * t->every_s;
+}
+
+/* ---- values between keyframes ---- */
+
+/* Two keyframes and the weight of the later one. */
+typedef struct bracket {
+    size_t before, after;
+    double weight;
+} bracket;
+
+static bracket find(const murk_scene_track *track, double t_s)
+{
+    const murk_scene_keyframe *frame = track->keyframe;
+    size_t after = 0;
+    while (after < track->keyframes && frame[after].t_s <= t_s) {
+        ++after;
+    }
+    if (after == 0 || after == track->keyframes) {
+        const size_t only = after == 0 ? 0 : after - 1;
+        return (bracket){only, only, 0};
+    }
+    const double from = frame[after - 1].t_s, to = frame[after].t_s;
+    return (bracket){after - 1, after, (t_s - from) / (to - from)};
+}
+
+static murk_yaml *number_node(double value, const char *source)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_number_print(text, value);
+    murk_yaml *node = murk_yaml_make(MURK_YAML_SCALAR, source);
+    if (node && !murk_yaml_set_text(node, text)) {
+        murk_yaml_destroy(node);
+        node = NULL;
+    }
+    return node;
+}
+
+/* The value between two nodes: of numbers, and of the numbers of lists of equal
+ * length, by the weight of the later one; otherwise the earlier value. NULL
+ * when out of memory. */
+static murk_yaml *between(const murk_yaml *a, const murk_yaml *b, double weight)
+{
+    double from, to;
+    if (weight > 0 && murk_yaml_number(a, &from) && murk_yaml_number(b, &to)) {
+        return number_node(from + weight * (to - from), a->source);
+    }
+    murk_yaml *out = murk_yaml_copy(a);
+    const bool is_list = weight > 0 && a->kind == MURK_YAML_LIST &&
+                         b->kind == MURK_YAML_LIST && a->n == b->n;
+    for (size_t i = 0; out && is_list && i < a->n; ++i) {
+        murk_yaml *item = between(a->child[i], b->child[i], weight);
+        if (!item) {
+            murk_yaml_destroy(out);
+            return NULL;
+        }
+        murk_yaml_destroy(out->child[i]);
+        out->child[i] = item;
+    }
+    return out;
+}
+
+/* ---- putting values in place ---- */
+
+/* The changes of a tree at one time. */
+typedef struct changes {
+    murk_yaml *root;
+    const murk_scene_timeline *timeline;
+    const murk_yaml *tracks; /* list of the tracks, as read by the table */
+    char (*path)[PATH_SIZE]; /* [n] that were set */
+    size_t n;
+    murk_error *err;
+} changes;
+
+static murk_status no_memory(const changes *c)
+{
+    return murk_no_memory(c->err, c->timeline->where, "for the timeline");
+}
+
+/* No two tracks may set the same key. */
+static murk_status note_path(changes *c, const char *path, const char *where)
+{
+    for (size_t i = 0; i < c->n; ++i) {
+        if (murk_override_overlap(c->path[i], path)) {
+            return murk_fail(c->err, MURK_BAD_VALUE, where,
+                             "sets %s, which an earlier track sets, too", path);
+        }
+    }
+    char(*grown)[PATH_SIZE] = realloc(c->path, (c->n + 1) * sizeof *grown);
+    if (!grown) {
+        return no_memory(c);
+    }
+    c->path = grown;
+    snprintf(c->path[c->n++], PATH_SIZE, "%s", path);
+    return MURK_OK;
+}
+
+/* Puts a value, which it owns, at a path. */
+static murk_status put(changes *c, const murk_scene_track *track,
+                       const char *path, murk_yaml *value)
+{
+    if (!value) {
+        return no_memory(c);
+    }
+    const murk_status status = note_path(c, path, track->where);
+    if (status) {
+        murk_yaml_destroy(value);
+        return status;
+    }
+    murk_yaml *const none[1] = {NULL};
+    return murk_override_put(c->root, path, value, track->where, none, 0,
+                             c->err);
+}
+
+/* Puts the values that the key `member` of the keyframes has, if they have
+ * it. */
+static murk_status put_member(changes *c, const murk_scene_track *track,
+                              const char *member, const char *path)
+{
+    const size_t number = (size_t)(track - c->timeline->track);
+    const murk_yaml *frames =
+        murk_yaml_get(c->tracks->child[number], "keyframes");
+    bracket at = find(track, c->timeline->at_s);
+    /* A value that holds, or the nearer one, is that of one keyframe. */
+    if (track->between == MURK_BETWEEN_NEAREST && at.weight >= 0.5) {
+        at.before = at.after;
+    }
+    if (track->between != MURK_BETWEEN_LINEAR) {
+        at.weight = 0;
+    }
+    const murk_yaml *a = murk_yaml_get(frames->child[at.before], member),
+                    *b = murk_yaml_get(frames->child[at.after], member);
+    return a && b ? put(c, track, path, between(a, b, at.weight)) : MURK_OK;
+}
+
+/* ---- moved geometry ---- */
+
+static double number_or(const murk_yaml *node, double preset)
+{
+    double value = preset;
+    if (node) {
+        (void)murk_yaml_number(node, &value);
+    }
+    return value;
+}
+
+static murk_vec3 vector_or_zero(const murk_yaml *node)
+{
+    double value[3] = {0, 0, 0};
+    for (size_t i = 0; node && i < node->n && i < 3; ++i) {
+        value[i] = number_or(node->child[i], 0);
+    }
+    return murk_vec(value[0], value[1], value[2]);
+}
+
+static murk_affine placed(const murk_yaml *item)
+{
+    return murk_affine_place(
+        vector_or_zero(murk_yaml_get(item, "rotate_deg")),
+        number_or(murk_yaml_get(item, "scale"), 1),
+        vector_or_zero(murk_yaml_get(item, "translate_m")));
+}
+
+/* Moves the positions and directions of a light. */
+static murk_status move_light(const changes *c, murk_yaml *light,
+                              const murk_affine *motion)
+{
+    const murk_keys *lights = murk_keys_find(&murk_scene_keys, "lights")->keys;
+    for (size_t i = 0; i < light->n; ++i) {
+        murk_yaml *node = light->child[i];
+        const murk_key *key = murk_keys_find(lights, light->key[i]);
+        if (!key || key->kind != MURK_KEY_VECTOR ||
+            node->kind != MURK_YAML_LIST || node->n != 3) {
+            continue;
+        }
+        const murk_vec3 old = vector_or_zero(node),
+                        moved = key->is_position
+                                    ? murk_affine_point(motion, old)
+                                    : murk_affine_direction(motion, old);
+        const double value[3] = {moved.x, moved.y, moved.z};
+        for (int k = 0; k < 3; ++k) {
+            murk_yaml *number = number_node(value[k], node->source);
+            if (!number) {
+                return no_memory(c);
+            }
+            murk_yaml_destroy(node->child[k]);
+            node->child[k] = number;
+        }
+    }
+    return MURK_OK;
+}
+
+/* Moves the lights of a track by the motion of its item. */
+static murk_status move_lights(const changes *c, const murk_scene_track *track,
+                               const murk_affine *old, const murk_affine *new)
+{
+    murk_yaml *lights = murk_yaml_get(c->root, "lights");
+    const size_t n = lights && lights->kind == MURK_YAML_LIST ? lights->n : 0;
+    murk_affine back;
+    murk_status status = MURK_OK;
+    if (memcmp(old, new, sizeof *old) == 0 || !murk_affine_invert(old, &back)) {
+        return MURK_OK;
+    }
+    const murk_affine motion = murk_affine_compose(new, &back);
+    for (size_t i = 0; i < track->light.n && !status; ++i) {
+        const double index = track->light.value[i];
+        status = index < (double)n
+                     ? move_light(c, lights->child[(size_t)index], &motion)
+                     : murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                                 "lights: %g, but the scene has %zu lights",
+                                 index, n);
+    }
+    return status;
+}
+
+static murk_status no_such_item(const changes *c, const murk_scene_track *track,
+                                const murk_yaml *list)
+{
+    const char *names[NAMES_MAX];
+    size_t n = 0;
+    for (size_t i = 0; i < list->n && n < NAMES_MAX; ++i) {
+        const murk_yaml *name = murk_yaml_get(list->child[i], "name");
+        if (name && name->kind == MURK_YAML_SCALAR) {
+            names[n++] = name->text;
+        }
+    }
+    return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                     "geometry: %s is no name and no index of the %zu items%s",
+                     track->item, list->n,
+                     murk_words_suggest(track->item, names, n).text);
+}
+
+static murk_status move_geometry(changes *c, const murk_scene_track *track)
+{
+    static const murk_yaml none = {.kind = MURK_YAML_LIST};
+    const murk_yaml *list = murk_yaml_get(c->root, "geometry");
+    size_t i;
+    list = list && list->kind == MURK_YAML_LIST ? list : &none;
+    if (!murk_key_path_item(list, track->item, &i)) {
+        return no_such_item(c, track, list);
+    }
+    const murk_affine old = placed(list->child[i]);
+    char path[2][PATH_SIZE];
+    snprintf(path[0], PATH_SIZE, "geometry.%zu.translate_m", i);
+    snprintf(path[1], PATH_SIZE, "geometry.%zu.rotate_deg", i);
+    murk_status status = put_member(c, track, "translate_m", path[0]);
+    if (!status) {
+        status = put_member(c, track, "rotate_deg", path[1]);
+    }
+    const murk_affine new = placed(list->child[i]);
+    return status ? status : move_lights(c, track, &old, &new);
+}
+
+/* ---- sequences of grids ---- */
+
+/* The frame of a track at from_s: that of the track, of the medium, or the
+ * first that exists. */
+static murk_status find_first(const changes *c, const murk_scene_track *track,
+                              const murk_yaml *medium, uint64_t *first)
+{
+    const murk_yaml *own = murk_yaml_get(medium, "frame"),
+                    *vdb = murk_yaml_get(medium, "vdb");
+    if (track->has_first) {
+        *first = track->first_frame;
+        return MURK_OK;
+    }
+    if (own && murk_yaml_count(own, first)) {
+        return MURK_OK;
+    }
+    char *pattern = track->frames ? strdup(track->frames)
+                    : vdb         ? murk_value_opened(vdb)
+                                  : NULL;
+    const bool is_found = pattern && murk_frames_first(pattern, first);
+    const murk_status status =
+        is_found ? MURK_OK
+                 : murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                             "no file matches %s, must be a pattern such as "
+                             "smoke.####.vdb of files that exist",
+                             pattern ? pattern : "the medium's vdb");
+    free(pattern);
+    return status;
+}
+
+bool murk_timeline_frame(const murk_scene_track *track, double t_s,
+                         double *frame)
+{
+    const double steps = (t_s - track->from_s) / track->every_s;
+    const double nearest = floor(steps + 0.5 + TIME_ROUNDING),
+                 whole = floor(steps + TIME_ROUNDING);
+    const bool is_whole = fabs(steps - nearest) <= TIME_ROUNDING;
+    *frame = (double)track->first_frame +
+             (track->between == MURK_BETWEEN_HOLD                  ? whole
+              : is_whole || track->between == MURK_BETWEEN_NEAREST ? nearest
+                                                                   : steps);
+    return steps >= -TIME_ROUNDING;
+}
+
+/* Writes the first frame into the track of the tree, so that the resolved scene
+ * gives the same frames again. */
+static bool keep_first(const changes *c, size_t number, uint64_t first)
+{
+    murk_yaml *tracks =
+        murk_yaml_get(murk_yaml_get(c->root, "timeline"), "tracks");
+    murk_yaml *node = number_node((double)first, c->root->source);
+    return node && murk_yaml_put(tracks->child[number], "first_frame", node);
+}
+
+static murk_status choose_files(changes *c, const murk_scene_track *track)
+{
+    const size_t number = (size_t)(track - c->timeline->track);
+    const murk_yaml *media = murk_yaml_get(c->root, "media"),
+                    *medium =
+                        media ? murk_yaml_get(media, track->medium) : NULL;
+    uint64_t first = 0;
+    double frame = 0;
+    char path[2][PATH_SIZE];
+    if (!medium || medium->kind != MURK_YAML_MAP) {
+        const bool has_any = media && media->kind == MURK_YAML_MAP;
+        return murk_fail(
+            c->err, MURK_BAD_VALUE, track->where,
+            "medium: the scene has no medium %s%s", track->medium,
+            murk_words_suggest(track->medium,
+                               has_any ? (const char *const *)media->key : NULL,
+                               has_any ? media->n : 0)
+                .text);
+    }
+    murk_status status = find_first(c, track, medium, &first);
+    murk_scene_track from = *track;
+    from.first_frame = first;
+    if (!status && !murk_timeline_frame(&from, c->timeline->at_s, &frame)) {
+        status = murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                           "medium: %s has no file at %g s, its files begin at "
+                           "%g s",
+                           track->medium, c->timeline->at_s, track->from_s);
+    }
+    if (!status && !keep_first(c, number, first)) {
+        status = no_memory(c);
+    }
+    snprintf(path[0], PATH_SIZE, "media.%s.vdb", track->medium);
+    snprintf(path[1], PATH_SIZE, "media.%s.frame", track->medium);
+    if (!status && track->frames) {
+        status = put(
+            c, track, path[0],
+            murk_yaml_copy(murk_yaml_get(c->tracks->child[number], "frames")));
+    }
+    return status ? status
+                  : put(c, track, path[1], number_node(frame, c->root->source));
+}
+
+/* ---- keys and sensors ---- */
+
+static murk_status set_key(changes *c, const murk_scene_track *track)
+{
+    const murk_key *key = murk_scene_keys.key;
+    while (key->name && !murk_override_overlap(track->key, key->name)) {
+        ++key;
+    }
+    return key->name && key->is_still
+               ? murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                           "key: %s must be the same at all times", track->key)
+               : put_member(c, track, "value", track->key);
+}
+
+/* Moves a fixed sensor, or marks it as failed. Tracks of the other sensors of a
+ * plan concern plans that follow each other (murk follow). */
+static murk_status set_sensor(changes *c, const murk_scene_track *track)
+{
+    static const char *const members[] = {"position_m", "heading_deg",
+                                          "tilt_deg"};
+    const murk_yaml *sensors = murk_yaml_get(c->root, "sensors"),
+                    *fixed = sensors ? murk_yaml_get(sensors, "fixed") : NULL;
+    const size_t n = fixed && fixed->kind == MURK_YAML_LIST ? fixed->n : 0;
+    murk_status status = MURK_OK;
+    char path[PATH_SIZE];
+    if (track->sensor >= n) {
+        return MURK_OK;
+    }
+    for (int i = 0; i < 3 && track->keyframes > 0 && !status; ++i) {
+        snprintf(path, sizeof path, "sensors.fixed.%zu.%s",
+                 (size_t)track->sensor, members[i]);
+        status = put_member(c, track, members[i], path);
+    }
+    if (status || !track->fails || c->timeline->at_s < track->fails_at_s) {
+        return status;
+    }
+    murk_yaml *failed = murk_yaml_make(MURK_YAML_SCALAR, c->root->source);
+    if (failed && !murk_yaml_set_text(failed, "true")) {
+        murk_yaml_destroy(failed);
+        failed = NULL;
+    }
+    snprintf(path, sizeof path, "sensors.fixed.%zu.failed",
+             (size_t)track->sensor);
+    return put(c, track, path, failed);
+}
+
+/* ---- all tracks ---- */
+
+static murk_status apply_tracks(changes *c)
+{
+    typedef murk_status apply(changes *, const murk_scene_track *);
+    static apply *const by_kind[] = {[MURK_TRACK_GEOMETRY] = move_geometry,
+                                     [MURK_TRACK_MEDIUM] = choose_files,
+                                     [MURK_TRACK_KEY] = set_key,
+                                     [MURK_TRACK_SENSOR] = set_sensor};
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < c->timeline->tracks && !status; ++i) {
+        const murk_scene_track *track = &c->timeline->track[i];
+        status = by_kind[track->kind](c, track);
+    }
+    return status;
+}
+
+/* Reads the timeline alone, by its row of the key table, from a copy `node` of
+ * its tree. */
+static murk_status read_timeline(murk_scene_desc *out, murk_yaml *root,
+                                 murk_yaml *node, murk_error *err)
+{
+    murk_key_reader walk = {.scene = out, .root = root, .err = err};
+    const murk_key *row = murk_keys_find(&murk_scene_keys, "timeline");
+    out->bands = 1;
+    murk_walk_enter(&walk, row->name);
+    const murk_status status = murk_walk_value(&walk, row, node, out);
+    free(walk.paths);
+    return status;
+}
+
+murk_status murk_timeline_apply(murk_yaml *root, murk_error *err)
+{
+    const murk_yaml *given =
+        root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "timeline") : NULL;
+    if (!given) {
+        return MURK_OK;
+    }
+    murk_yaml *node = murk_yaml_copy(given);
+    murk_scene_desc *scene = calloc(1, sizeof *scene);
+    murk_status status =
+        node && scene ? read_timeline(scene, root, node, err)
+                      : murk_no_memory(err, root->source, "for the timeline");
+    if (!status) {
+        changes c = {.root = root,
+                     .timeline = &scene->timeline,
+                     .tracks = murk_yaml_get(node, "tracks"),
+                     .err = err};
+        status = apply_tracks(&c);
+        free(c.path);
+    }
+    murk_scene_desc_destroy(scene);
+    murk_yaml_destroy(node);
+    return status;
+}
+
+void murk_timeline_finish(murk_scene_desc *scene)
+{
+    murk_scene_sensors *sensors = &scene->sensors;
+    const double t_s = scene->timeline.given ? scene->timeline.at_s : 0;
+    size_t n = 0;
+    scene->site.unix_s += t_s;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        scene->lights[i].site.unix_s += t_s;
+    }
+    for (size_t i = 0; i < sensors->n_fixed; ++i) {
+        if (!sensors->fixed[i].is_failed) {
+            sensors->fixed[n++] = sensors->fixed[i];
+        }
+    }
+    sensors->n_fixed = n;
+}

@@ -1,0 +1,35 @@
+/* The timeline of a scene: puts the values that the tracks have at one time in
+ * place in the tree of the scene, before the scene is checked, so that nothing
+ * later needs to know of tracks.
+ *
+ * A track replaces the value of its keys, whatever the scene, an option or a
+ * condition gives. Doing so twice for the same time changes nothing more: the
+ * resolved scene, which contains the timeline, gives the same scene again. */
+#ifndef MURK_SCENE_TIMELINE_H
+#define MURK_SCENE_TIMELINE_H
+
+#include "scene/scene.h"
+#include "scene/yaml.h"
+
+/* Puts the values of the time timeline.at_s, or without that key of the first
+ * step, in place. Does nothing without the key `timeline`. Fails with
+ * MURK_BAD_VALUE or MURK_BAD_FILE at the place of the track, or with
+ * MURK_NO_MEMORY. */
+murk_status murk_timeline_apply(murk_yaml *root, murk_error *err);
+
+/* For the structs of a scene that was read from such a tree: advances the
+ * clocks of the scene and of its lights by at_s, and removes the fixed sensors
+ * that have failed. */
+void murk_timeline_finish(murk_scene_desc *scene);
+
+/* The number of steps, at least 1, and the time of step i [s]. */
+size_t murk_timeline_steps(const murk_scene_timeline *timeline);
+double murk_timeline_time_s(const murk_scene_timeline *timeline, size_t i);
+
+/* The number of the file of a track of a medium at a time, counted from
+ * first_frame at from_s: whole unless the track is interpolated linearly. False
+ * before from_s, when there is none. */
+bool murk_timeline_frame(const murk_scene_track *track, double t_s,
+                         double *frame);
+
+#endif
