@@ -16,6 +16,7 @@
 #include "medium/tree.h"
 #include "medium/vdb_bridge.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <stdbool.h>
@@ -46,11 +47,13 @@ struct murk_grid {
 typedef struct job {
     murk_subprocess *subprocess;
     const char *path, *name; /* path of a file, and name of a grid */
+    const char *next;        /* path of the next frame's file; NULL: none */
+    double next_weight;      /* of the grid of that file */
     const size_t *size;      /* number of samples along each axis */
     const float *density;
     double index_to_world[12]; /* three rows of four */
     bool as_tiles, is_albedo;
-    const char *where;
+    const char *where, *next_where; /* places of both files */
 } job;
 
 /* In the process that parses the file: sends the header, then the grid. */
@@ -70,6 +73,12 @@ static murk_status read_in_subprocess(murk_subprocess *subprocess,
 {
     job *j = context;
     j->subprocess = subprocess;
+    if (j->next) {
+        const char *const path[] = {j->path, j->next};
+        const char *const where[] = {j->where, j->next_where};
+        return murk_vdb_read_between(path, j->name, j->next_weight, send_grid,
+                                     j, where, err);
+    }
     return murk_vdb_read(j->path, j->name, j->is_albedo, send_grid, j, j->where,
                          err);
 }
@@ -92,6 +101,9 @@ static void pack_file(murk_parcel *to, const void *context)
     murk_parcel_put_text(to, j->name);
     murk_parcel_put_text(to, j->where);
     murk_parcel_put(to, &j->is_albedo, sizeof j->is_albedo);
+    murk_parcel_put_text(to, j->next);
+    murk_parcel_put_text(to, j->next_where);
+    murk_parcel_put(to, &j->next_weight, sizeof j->next_weight);
 }
 
 static murk_status read_packed(murk_subprocess *subprocess, murk_parcel *from,
@@ -102,10 +114,15 @@ static murk_status read_packed(murk_subprocess *subprocess, murk_parcel *from,
     j.name = murk_parcel_take_text(from);
     j.where = murk_parcel_take_text(from);
     const bool *is_albedo = murk_parcel_take(from, sizeof *is_albedo);
-    if (!is_albedo || !j.path || !j.where) {
+    j.next = murk_parcel_take_text(from);
+    j.next_where = murk_parcel_take_text(from);
+    const double *weight = murk_parcel_take(from, sizeof *weight);
+    if (!is_albedo || !weight || !j.path || !j.where ||
+        (j.next && !j.next_where)) {
         return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
     }
     j.is_albedo = *is_albedo;
+    j.next_weight = *weight;
     return read_in_subprocess(subprocess, &j, err);
 }
 
@@ -190,11 +207,24 @@ static murk_status copy_buffer(murk_grid *grid, const unsigned char *bytes,
     return MURK_OK;
 }
 
+/* Warns of inactive voxels with a value, which often mean a mistake in the
+ * file. */
+static void warn_of_cleared(const char *where, const char *grid,
+                            uint64_t voxels)
+{
+    if (voxels > 0) {
+        murk_warn(where,
+                  "grid %s: %llu voxels hold a value but are not active; "
+                  "they count as 0",
+                  grid, (unsigned long long)voxels);
+    }
+}
+
 /* Builds the grid from the bytes that send_grid() sent. */
 static murk_status build_received(murk_grid **out, const unsigned char *sent,
-                                  size_t size, bool is_albedo,
-                                  const char *where, murk_error *err)
+                                  size_t size, const job *j, murk_error *err)
 {
+    const char *where = j->where;
     /* The header first. */
     murk_vdb_facts facts;
     if (size < sizeof facts) {
@@ -211,20 +241,15 @@ static murk_status build_received(murk_grid **out, const unsigned char *sent,
     murk_status status =
         copy_buffer(grid, sent + sizeof facts, size - sizeof facts, where, err);
     if (!status) {
-        status = murk_tree_open(&grid->tree, grid->buffer, facts.index_min,
-                                facts.index_max,
-                                is_albedo ? MURK_VDB_NO_ALBEDO : 0, where, err);
+        status = murk_tree_open(
+            &grid->tree, grid->buffer, facts.index_min, facts.index_max,
+            j->is_albedo ? MURK_VDB_NO_ALBEDO : 0, where, err);
     }
     if (status) {
         goto done;
     }
-    /* Inactive voxels with a value often mean a mistake in the file. */
-    if (facts.cleared > 0) {
-        murk_warn(where,
-                  "grid %s: %llu voxels hold a value but are not active; "
-                  "they count as 0",
-                  facts.name, (unsigned long long)facts.cleared);
-    }
+    warn_of_cleared(where, facts.name, facts.cleared);
+    warn_of_cleared(j->next_where, facts.name, facts.cleared_next);
     *out = grid;
     grid = NULL;
 done:
@@ -244,7 +269,7 @@ static murk_status run(murk_grid **out, const murk_subprocess_job *kind, job *j,
     murk_status status =
         murk_subprocess_do(&sent, &size, kind, j, &limits, j->where, err);
     if (!status) {
-        status = build_received(out, sent, size, j->is_albedo, j->where, err);
+        status = build_received(out, sent, size, j, err);
     }
     free(sent);
     return status;
@@ -315,33 +340,43 @@ static murk_status read_memory(murk_grid **out, const char *path,
                                   &given->index_to_world, where, err);
 }
 
-/* Reads a grid of densities or albedos; warns if no voxel is active or if all
- * densities are 0. */
-static murk_status read_grid(murk_grid **out, const char *path,
-                             const char *name, bool is_albedo,
-                             const char *where, murk_error *err)
+/* Checks the files of a request and lets a subprocess read them. Limits are
+ * those of one file of the size of all. */
+static murk_status read_files(murk_grid **out, job *j, murk_error *err)
 {
-    char place[sizeof err->where];
-    uint64_t size = 0;
-    snprintf(place, sizeof place, "%s: %s", where, path);
-    const bool is_in_memory = murk_memory_is(path);
-    murk_status status = is_in_memory
-                             ? read_memory(out, path, is_albedo, place, err)
-                             : check_file(path, &size, place, err);
-    job j = {
-        .path = path, .name = name, .is_albedo = is_albedo, .where = place};
-    if (!status && !is_in_memory) {
-        status = run(out, &murk_grid_read_job, &j, size, err);
+    uint64_t size = 0, next_size = 0;
+    murk_status status = check_file(j->path, &size, j->where, err);
+    if (!status && j->next) {
+        status = check_file(j->next, &next_size, j->next_where, err);
     }
+    return status ? status
+                  : run(out, &murk_grid_read_job, j, size + next_size, err);
+}
+
+/* Reads the grid of a request, whose places are set here; warns if no voxel is
+ * active or if all densities are 0. */
+static murk_status read_grid(murk_grid **out, job *j, const char *where,
+                             murk_error *err)
+{
+    char place[sizeof err->where], next_place[sizeof err->where];
+    snprintf(place, sizeof place, "%s: %s", where, j->path);
+    snprintf(next_place, sizeof next_place, "%s: %s", where,
+             j->next ? j->next : "");
+    j->where = place;
+    j->next_where = next_place;
+    const murk_status status =
+        murk_memory_is(j->path)
+            ? read_memory(out, j->path, j->is_albedo, place, err)
+            : read_files(out, j, err);
     if (status) {
         return status;
     }
     /* A grid without effect often means a mistake. */
     const murk_grid_facts *facts = &(*out)->facts;
-    if (is_albedo && facts->active == 0) {
+    if (j->is_albedo && facts->active == 0) {
         murk_warn(place, "grid %s is empty: the albedo is %g everywhere",
                   facts->name, facts->background);
-    } else if (!is_albedo && facts->maximum == 0) {
+    } else if (!j->is_albedo && facts->maximum == 0) {
         murk_warn(place, "grid %s %s: there is nothing in the way of light",
                   facts->name, facts->active ? "is 0 everywhere" : "is empty");
     }
@@ -351,14 +386,30 @@ static murk_status read_grid(murk_grid **out, const char *path,
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
                            const char *where, murk_error *err)
 {
-    return read_grid(out, path, name, false, where, err);
+    job j = {.path = path, .name = name};
+    return read_grid(out, &j, where, err);
+}
+
+murk_status murk_grid_read_between(murk_grid **out, const char *const path[2],
+                                   double weight, const char *name,
+                                   const char *where, murk_error *err)
+{
+    assert(weight > 0 && weight < 1);
+    if (murk_memory_is(path[0]) || murk_memory_is(path[1])) {
+        return murk_fail(err, MURK_UNSUPPORTED, where,
+                         "frames to interpolate must be OpenVDB files");
+    }
+    job j = {
+        .path = path[0], .name = name, .next = path[1], .next_weight = weight};
+    return read_grid(out, &j, where, err);
 }
 
 murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
                                   const char *name, const char *where,
                                   murk_error *err)
 {
-    return read_grid(out, path, name, true, where, err);
+    job j = {.path = path, .name = name, .is_albedo = true};
+    return read_grid(out, &j, where, err);
 }
 
 murk_status murk_grid_check_size(const size_t size[3], size_t *voxels,

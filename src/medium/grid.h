@@ -56,6 +56,19 @@ typedef struct murk_grid_samples {
 murk_status murk_grid_read(murk_grid **out, const char *path, const char *name,
                            const char *where, murk_error *err);
 
+/* Reads the density at a time between two frames: the grids of the files
+ * path[0] and path[1], selected by `name` in each, become (1 - weight) times
+ * the first plus weight times the second, where 0 < weight < 1. A voxel that is
+ * missing or inactive in one file is 0 there; a voxel is active if it is active
+ * in either. The values are computed in double precision and rounded once to
+ * single precision. Both files are read in one subprocess. Warns and fails as
+ * murk_grid_read() does, with the file in `where` that is to blame, with
+ * MURK_BAD_VALUE if the transforms of the grids are not equal, and with
+ * MURK_UNSUPPORTED for samples in memory. */
+murk_status murk_grid_read_between(murk_grid **out, const char *const path[2],
+                                   double weight, const char *name,
+                                   const char *where, murk_error *err);
+
 /* Reads a grid of albedos: values and background 0..1. The background applies
  * outside of the active voxels. Only for murk_medium.albedo_grid. Samples in
  * memory are refused with MURK_UNSUPPORTED. */

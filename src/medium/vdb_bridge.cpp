@@ -2,6 +2,7 @@
  * murk_subprocess_do(). No exception leaves this file. */
 extern "C" {
 #include "medium/vdb_bridge.h"
+#include "base/number.h"
 #include "medium/grid_choice.h"
 }
 
@@ -34,6 +35,28 @@ struct Place {
     const char *where;
     murk_error *err;
 };
+
+/* Converts exceptions to a status, and lets no thread start: each thread
+ * would take a stack and an arena out of the memory limit of the subprocess,
+ * and whether a file can be read would depend on the number of processors. */
+template <typename Work> murk_status guard(const Place &at, Work work)
+{
+    try {
+        const tbb::global_control alone(
+            tbb::global_control::max_allowed_parallelism, 1);
+        return work();
+    } catch (const std::bad_alloc &) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "asks for more memory than a file of its size may: "
+                         "malformed, or too large");
+    } catch (const std::exception &e) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "malformed OpenVDB file: %.300s", e.what());
+    } catch (...) {
+        return murk_fail(at.err, MURK_BAD_FILE, at.where,
+                         "malformed OpenVDB file");
+    }
+}
 
 struct Entry {
     std::string unique, name, type;
@@ -206,17 +229,21 @@ void clear_inactive(openvdb::FloatGrid &grid, murk_vdb_facts &facts)
     }
 }
 
+murk_status check(const openvdb::FloatGrid &grid, bool is_albedo,
+                  murk_vdb_facts &facts, const Place &at)
+{
+    murk_status status = read_transform(grid, facts, at);
+    if (!status) {
+        status = check_box(grid, facts, at);
+    }
+    return status ? status : check_values(grid, is_albedo, facts, at);
+}
+
 murk_status deliver(openvdb::FloatGrid::Ptr grid, bool is_albedo,
                     murk_vdb_facts &facts, murk_vdb_sink take, void *context,
                     const Place &at)
 {
-    murk_status status = read_transform(*grid, facts, at);
-    if (!status) {
-        status = check_box(*grid, facts, at);
-    }
-    if (!status) {
-        status = check_values(*grid, is_albedo, facts, at);
-    }
+    const murk_status status = check(*grid, is_albedo, facts, at);
     if (status) {
         return status;
     }
@@ -278,8 +305,10 @@ murk_status read_values(openvdb::io::File &file, const char *name,
                             "grid %.100s is not what its header says", name);
 }
 
-murk_status read(const char *path, const char *name, bool is_albedo,
-                 murk_vdb_sink take, void *context, const Place &at)
+/* Opens a file and reads the selected grid; facts.name becomes the name. */
+murk_status load(const char *path, const char *name,
+                 openvdb::FloatGrid::Ptr &grid, murk_vdb_facts &facts,
+                 const Place &at)
 {
     openvdb::initialize();
     openvdb::io::File file(path);
@@ -292,16 +321,119 @@ murk_status read(const char *path, const char *name, bool is_albedo,
     if (status) {
         return status;
     }
+    set_name(facts, entry->unique);
+    return read_values(file, entry->unique.c_str(), grid, at);
+}
+
+murk_status read(const char *path, const char *name, bool is_albedo,
+                 murk_vdb_sink take, void *context, const Place &at)
+{
     openvdb::FloatGrid::Ptr grid;
-    status = read_values(file, entry->unique.c_str(), grid, at);
+    murk_vdb_facts facts = {};
+    const murk_status status = load(path, name, grid, facts, at);
+    return status
+               ? status
+               : deliver(std::move(grid), is_albedo, facts, take, context, at);
+}
+
+/* ---- two frames ---- */
+
+/* One of two frames: the file, the grid and what its checks have found. */
+struct Frame {
+    const char *path;
+    Place at;
+    openvdb::FloatGrid::Ptr grid;
+    murk_vdb_facts facts;
+};
+
+/* Fails with the difference between two frames in number i of the rows of the
+ * transform: columns 0 to 2 are the edges of a voxel, column 3 is the centre of
+ * voxel (0, 0, 0). */
+murk_status other_transform(const Frame &a, const Frame &b, int i)
+{
+    const int row = i / 4, column = i % 4;
+    char found[MURK_NUMBER_SIZE], wanted[MURK_NUMBER_SIZE];
+    murk_number_print(found, b.facts.index_to_world[i]);
+    murk_number_print(wanted, a.facts.index_to_world[i]);
+    return column == 3
+               ? murk_fail(b.at.err, MURK_BAD_VALUE, b.at.where,
+                           "grid %.100s has voxel (0, 0, 0) at %c = %s m, "
+                           "must be at %s m, as in %.200s: frames are "
+                           "interpolated voxel by voxel",
+                           b.facts.name, "xyz"[row], found, wanted, a.path)
+               : murk_fail(b.at.err, MURK_BAD_VALUE, b.at.where,
+                           "grid %.100s has voxels whose axis %c extends "
+                           "%s m along %c, must be %s m, as in %.200s: "
+                           "frames are interpolated voxel by voxel",
+                           b.facts.name, "ijk"[column], found, "xyz"[row],
+                           wanted, a.path);
+}
+
+/* Fails with the first difference if the transforms of two frames are not
+ * equal. */
+murk_status compare_transforms(const Frame &a, const Frame &b)
+{
+    for (int i = 0; i < 12; ++i) {
+        if (a.facts.index_to_world[i] != b.facts.index_to_world[i]) {
+            return other_transform(a, b, i);
+        }
+    }
+    return MURK_OK;
+}
+
+/* Replaces the values a of the first tree by (1 - weight) * a + weight * b,
+ * where b are the values of the second tree, which is left empty. A voxel or
+ * tile is active if it is active in either tree (the default of CombineArgs).
+ * The result of a value depends on two numbers alone, and not on the order in
+ * which the trees are traversed. */
+void interpolate(openvdb::FloatTree &first, openvdb::FloatTree &second,
+                 double weight)
+{
+    auto mean = [weight](openvdb::CombineArgs<float> &pair) {
+        pair.setResult(
+            float((1 - weight) * double(pair.a()) + weight * double(pair.b())));
+    };
+    first.combineExtended(second, mean);
+}
+
+murk_status read_frame(Frame &frame, const char *name)
+{
+    murk_status status =
+        load(frame.path, name, frame.grid, frame.facts, frame.at);
+    if (!status) {
+        status = check(*frame.grid, false, frame.facts, frame.at);
+    }
+    if (!status) {
+        clear_inactive(*frame.grid, frame.facts);
+    }
+    return status;
+}
+
+murk_status read_between(Frame &a, Frame &b, const char *name, double weight,
+                         murk_vdb_sink take, void *context)
+{
+    /* Read both grids; an exception belongs to the file that is read. */
+    murk_status status = guard(a.at, [&] { return read_frame(a, name); });
+    if (!status) {
+        status = guard(b.at, [&] { return read_frame(b, name); });
+    }
+    if (!status) {
+        status = compare_transforms(a, b);
+    }
     if (status) {
         return status;
     }
-    file.close();
+    /* Both grids become one, which is checked and counted as any grid. */
+    interpolate(a.grid->tree(), b.grid->tree(), weight);
+    b.grid.reset();
     murk_vdb_facts facts = {};
-    set_name(facts, entry->unique);
-    return deliver(std::move(grid), is_albedo, facts, take, context, at);
+    set_name(facts, a.facts.name);
+    facts.cleared = a.facts.cleared;
+    facts.cleared_next = b.facts.cleared;
+    return deliver(std::move(a.grid), false, facts, take, context, a.at);
 }
+
+/* ---- samples ---- */
 
 /* Makes a tree of dense samples, x fastest; zeros are left out. */
 openvdb::FloatGrid::Ptr
@@ -378,28 +510,6 @@ murk_status write(const murk_vdb_field *fields, size_t n, const size_t size[3],
     return take(context, bytes.data(), bytes.size());
 }
 
-/* Converts exceptions to a status, and lets no thread start: each thread
- * would take a stack and an arena out of the memory limit of the subprocess,
- * and whether a file can be read would depend on the number of processors. */
-template <typename Work> murk_status guard(const Place &at, Work work)
-{
-    try {
-        const tbb::global_control alone(
-            tbb::global_control::max_allowed_parallelism, 1);
-        return work();
-    } catch (const std::bad_alloc &) {
-        return murk_fail(at.err, MURK_BAD_FILE, at.where,
-                         "asks for more memory than a file of its size may: "
-                         "malformed, or too large");
-    } catch (const std::exception &e) {
-        return murk_fail(at.err, MURK_BAD_FILE, at.where,
-                         "malformed OpenVDB file: %.300s", e.what());
-    } catch (...) {
-        return murk_fail(at.err, MURK_BAD_FILE, at.where,
-                         "malformed OpenVDB file");
-    }
-}
-
 } // namespace
 
 extern "C" murk_status murk_vdb_read(const char *path, const char *name,
@@ -411,6 +521,18 @@ extern "C" murk_status murk_vdb_read(const char *path, const char *name,
     return guard(at, [&] {
         return read(path, name, is_albedo != 0, take, context, at);
     });
+}
+
+extern "C" murk_status murk_vdb_read_between(const char *const path[2],
+                                             const char *name, double weight,
+                                             murk_vdb_sink take, void *context,
+                                             const char *const where[2],
+                                             murk_error *err)
+{
+    Frame a{path[0], {where[0], err}, nullptr, {}};
+    Frame b{path[1], {where[1], err}, nullptr, {}};
+    return guard(
+        a.at, [&] { return read_between(a, b, name, weight, take, context); });
 }
 
 extern "C" murk_status murk_vdb_from_samples(const size_t size[3],

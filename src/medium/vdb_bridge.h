@@ -23,6 +23,7 @@ typedef struct murk_vdb_facts {
     uint64_t active;  /* active voxels; a tile counts as all voxels in it */
     uint64_t cleared; /* inactive voxels with a value other than 0, which was
                          set to 0 */
+    uint64_t cleared_next; /* the same in the second grid of two */
     double minimum, maximum, sum, background; /* medium/grid.h */
     int64_t index_min[3], index_max[3];       /* inclusive */
     double index_to_world[12];                /* three rows of four */
@@ -44,6 +45,18 @@ typedef murk_status (*murk_vdb_sink)(void *context, const murk_vdb_facts *facts,
 murk_status murk_vdb_read(const char *path, const char *name, int is_albedo,
                           murk_vdb_sink take, void *context, const char *where,
                           murk_error *err);
+
+/* Reads the grids selected by `name` from the files path[0] and path[1] as
+ * densities a and b, and calls `take` with (1 - weight) * a + weight * b, where
+ * 0 < weight < 1. A voxel is active if it is active in a or b; inactive voxels
+ * count as 0. The values are computed in double precision from the values in
+ * single precision of both grids, and rounded once. Fails as murk_vdb_read()
+ * does, for the file path[k] at where[k], and with MURK_BAD_VALUE at where[1]
+ * if the transforms of the grids are not equal. */
+murk_status murk_vdb_read_between(const char *const path[2], const char *name,
+                                  double weight, murk_vdb_sink take,
+                                  void *context, const char *const where[2],
+                                  murk_error *err);
 
 /* Makes the grid of dense samples, x fastest, starting with voxel (0,0,0),
  * and calls `take`. Blocks of one value become tiles if as_tiles is not 0.
