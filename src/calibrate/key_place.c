@@ -172,9 +172,10 @@ static murk_status check_end(murk_key_place *out, const walk *f,
         murk_words_show(shown, sizeof shown, at->node->text);
         return fail(f, "%s, must be a number", shown);
     }
-    /* Choices and counts do not vary continuously. */
+    /* Choices and counts do not vary continuously, and what a number selects
+     * among files is read once, before the search. */
     const bool is_number =
-        at->row &&
+        at->row && !at->row->selects_files &&
         (at->row->kind == MURK_KEY_NUMBER || at->row->kind == MURK_KEY_VECTOR ||
          at->row->kind == MURK_KEY_NUMBERS ||
          at->row->kind == MURK_KEY_NUMBER_LIST ||

@@ -3,6 +3,7 @@
  * fill. */
 #include "scene/keys_rows.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -105,12 +106,39 @@ static const murk_key PROFILE_ROWS[] = {
 static const murk_keys PROFILE = {
     .noun = "profile", .check = check_profile, .key = PROFILE_ROWS};
 
+/* For a time between two frames: adds the file of the next frame and the weight
+ * of its densities. has_albedos: each frame has a grid of albedos; then the
+ * function fails, because albedos are not interpolated in time. */
+static murk_status choose_next_frame(murk_key_reader *walk,
+                                     const murk_yaml *map, bool has_albedos,
+                                     murk_scene_medium *medium)
+{
+    const double weight = medium->frame - floor(medium->frame);
+    if (!(weight > 0)) {
+        return MURK_OK;
+    }
+    if (has_albedos) {
+        murk_walk_enter(walk, "frame");
+        return murk_walk_fail(walk, murk_yaml_get(map, "frame"),
+                              "%.15g is between two frames, must be whole if "
+                              "each frame has a grid of albedos: only "
+                              "densities are interpolated in time",
+                              medium->frame);
+    }
+    medium->next_weight = weight;
+    medium->vdb_next =
+        murk_frames_file(medium->vdb_frames, (uint64_t)medium->frame + 1);
+    return medium->vdb_next ? MURK_OK : murk_walk_no_memory(walk);
+}
+
 /* Replaces the patterns of vdb and albedo_vdb by the files of the frame;
- * vdb_frames keeps the pattern of vdb. Fails if vdb is no pattern. */
+ * vdb_frames keeps the pattern of vdb. Fails if vdb is no pattern, or as
+ * choose_next_frame() does. */
 static murk_status choose_frame(murk_key_reader *walk, const murk_yaml *map,
                                 murk_scene_medium *medium)
 {
-    char *file = murk_frames_file(medium->vdb, medium->frame);
+    const uint64_t frame = (uint64_t)medium->frame;
+    char *file = murk_frames_file(medium->vdb, frame);
     if (!file) {
         return murk_walk_fail(walk, map,
                               "a frame of %.200s, which has no place for its "
@@ -119,14 +147,17 @@ static murk_status choose_frame(murk_key_reader *walk, const murk_yaml *map,
     }
     medium->vdb_frames = medium->vdb;
     medium->vdb = file;
-    file = medium->albedo_vdb
-               ? murk_frames_file(medium->albedo_vdb, medium->frame)
-               : NULL;
+    /* The albedos are in the file of the densities, in a sequence of their own,
+     * or in one file for all frames. */
+    file =
+        medium->albedo_vdb ? murk_frames_file(medium->albedo_vdb, frame) : NULL;
+    const bool has_albedos =
+        medium->albedo_grid && (!medium->albedo_vdb || file);
     if (file) {
         free(medium->albedo_vdb);
         medium->albedo_vdb = file;
     }
-    return MURK_OK;
+    return choose_next_frame(walk, map, has_albedos, medium);
 }
 
 static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
@@ -202,7 +233,8 @@ static const murk_key MEDIUM_ROWS[] = {
     WORD_ROW("salinity_psu", SALINITY, .max = 100, .unit = "psu"),
     WORD_ROW("pressure_hpa", PRESSURE, .max = 1e5, .unit = "hPa"),
     ROW("vdb", PATH, .group = 1, MEDIUM(vdb)),
-    ROW("frame", COUNT, .variants = GRIDS, .max = 999999999, MEDIUM(frame),
+    ROW("frame", NUMBER, .variants = GRIDS, .max = 999999999,
+        .selects_files = true, MEDIUM(frame),
         FLAG(murk_scene_medium, has_frame)),
     ROW("grid", TEXT, .variants = GRIDS, MEDIUM(grid)),
     ROW("interpolation", WORD, .variants = GRIDS, .preset = "nearest",

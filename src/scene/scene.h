@@ -121,8 +121,13 @@ typedef struct murk_scene_medium {
     char *albedo_grid; /* name; NULL: the constant `albedo` */
     char *albedo_vdb;  /* file of the albedo grid; NULL: no albedo grid */
     bool has_frame;    /* the files belong to a sequence in time */
-    uint64_t frame;    /* number of the frame in vdb and albedo_vdb */
-    char *vdb_frames;  /* pattern of the files' names; NULL: no frames */
+    double frame;   /* the time, counted in frames: floor(frame) is the number
+                     * in vdb and albedo_vdb */
+    char *vdb_next; /* path of the next frame's densities; NULL: `frame` is
+                     * whole */
+    double next_weight; /* of the densities of vdb_next, frame - floor(frame);
+                         * vdb has the weight 1 - next_weight */
+    char *vdb_frames;   /* pattern of the files' names; NULL: no frames */
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;

@@ -57,6 +57,7 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
     /* Members that no key or a reader of its own fills. */
     for (size_t i = 0; i < scene->n_media; ++i) {
         free(scene->media[i].vdb_frames);
+        free(scene->media[i].vdb_next);
         for (size_t k = 0; k < scene->media[i].n_phases; ++k) {
             murk_mixture_destroy(scene->media[i].phase[k].mixture);
         }

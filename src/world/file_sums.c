@@ -71,10 +71,12 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
     }
     /* The grid files of media are printed once more, because for a frame of a
      * sequence the list of files holds the pattern of the names and not the
-     * file of the frame. */
+     * file of the frame, nor that of the next frame for a time between both. */
     for (size_t i = 0; i < scene->n_media && is_whole; ++i) {
-        is_whole = murk_file_sums_put(out, sums, scene->media[i].vdb) &&
-                   murk_file_sums_put(out, sums, scene->media[i].albedo_vdb);
+        const murk_scene_medium *m = &scene->media[i];
+        is_whole = murk_file_sums_put(out, sums, m->vdb) &&
+                   murk_file_sums_put(out, sums, m->albedo_vdb) &&
+                   (!m->vdb_next || murk_file_sums_put(out, sums, m->vdb_next));
     }
     for (size_t i = 0; i < scene->n_conditions && is_whole; ++i) {
         is_whole = murk_file_sums_scene(out, sums, scene->conditions[i].scene);

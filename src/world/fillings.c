@@ -11,39 +11,60 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Fails if the density file of a medium does not exist and is a frame of a
+static bool is_missing(const char *path)
+{
+    return path && access(path, F_OK) != 0 && errno == ENOENT;
+}
+
+/* Fails with the number of the frame that is missing. */
+static murk_status frame_missing(const murk_scene_medium *m, uint64_t number,
+                                 const char *frames, murk_error *err)
+{
+    return m->vdb_next
+               ? murk_fail(err, MURK_BAD_FILE, m->where,
+                           "frame %.15g is between two frames, and frame "
+                           "%llu of %s is not there; there are %s",
+                           m->frame, (unsigned long long)number, m->vdb_frames,
+                           frames)
+               : murk_fail(err, MURK_BAD_FILE, m->where,
+                           "frame %llu of %s is not there; there are %s",
+                           (unsigned long long)number, m->vdb_frames, frames);
+}
+
+/* Fails if a density file of a medium does not exist and is a frame of a
  * sequence, or is the pattern of a sequence because the scene gives no frame
  * number. A missing file that belongs to no sequence is no failure here. */
-static murk_status find_frame(const murk_scene_medium *m, murk_error *err)
+static murk_status find_frames(const murk_scene_medium *m, murk_error *err)
 {
     const char *pattern = m->vdb_frames ? m->vdb_frames : m->vdb;
     char *any = murk_frames_file(pattern, 0);
-    murk_status status = MURK_OK;
-    if (any && access(m->vdb, F_OK) != 0 && errno == ENOENT) {
-        char frames[256];
-        murk_frames_list(pattern, frames, sizeof frames);
-        status = m->has_frame
-                     ? murk_fail(err, MURK_BAD_FILE, m->where,
-                                 "frame %llu of %s is not there; there are %s",
-                                 (unsigned long long)m->frame, pattern, frames)
-                     : murk_fail(err, MURK_BAD_VALUE, m->where,
-                                 "%s stands for a sequence: misses frame, "
-                                 "there are %s",
-                                 pattern, frames);
-    }
+    const bool is_sequence = any != NULL;
     free(any);
-    return status;
+    const bool misses_first = is_sequence && is_missing(m->vdb);
+    if (!misses_first && !is_missing(m->vdb_next)) {
+        return MURK_OK;
+    }
+    char frames[256];
+    murk_frames_list(pattern, frames, sizeof frames);
+    const uint64_t number = (uint64_t)m->frame + (misses_first ? 0 : 1);
+    return m->has_frame ? frame_missing(m, number, frames, err)
+                        : murk_fail(err, MURK_BAD_VALUE, m->where,
+                                    "%s stands for a sequence: misses frame, "
+                                    "there are %s",
+                                    pattern, frames);
 }
 
 murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
-                                const char *file[2], murk_error *err)
+                                const char *file[MURK_FILLING_FILES],
+                                murk_error *err)
 {
     const murk_scene_medium *m = &scene->media[i];
     const bool is_same =
         m->vdb && m->albedo_vdb && strcmp(m->vdb, m->albedo_vdb) == 0;
     file[0] = m->vdb;
     file[1] = is_same ? NULL : m->albedo_vdb;
-    return m->vdb ? find_frame(m, err) : MURK_OK;
+    file[2] = m->vdb_next;
+    return m->vdb ? find_frames(m, err) : MURK_OK;
 }
 
 /* Reads the grids of medium i and borrows the profile from the scene. */
@@ -53,7 +74,11 @@ static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
     murk_status status = MURK_OK;
     f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
                                    m->profile_per_m.value};
-    if (m->vdb) {
+    if (m->vdb_next) {
+        const char *const frames[] = {m->vdb, m->vdb_next};
+        status = murk_grid_read_between(&f->grid[i], frames, m->next_weight,
+                                        m->grid, m->where, err);
+    } else if (m->vdb) {
         status = murk_grid_read(&f->grid[i], m->vdb, m->grid, m->where, err);
     }
     if (!status && m->albedo_grid) {

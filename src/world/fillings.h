@@ -17,18 +17,22 @@ typedef struct murk_fillings {
 
 /* The grid files of the i-th medium of the scene, for checksums: file[0] is
  * that of the density, NULL without a density grid; file[1] is that of the
- * albedo, NULL without an albedo grid or if both grids are in one file. If the
- * file of the density does not exist, the function fails with MURK_BAD_FILE if
- * the file is a frame of a sequence, or with MURK_BAD_VALUE if the path is the
- * pattern of a sequence and the scene gives no frame; the message lists frames
- * that exist. The file of the albedo is not looked for. */
+ * albedo, NULL without an albedo grid or if both grids are in one file; file[2]
+ * is that of the density of the next frame, NULL unless the time is between two
+ * frames. If a file of the density does not exist, the function fails with
+ * MURK_BAD_FILE if the file is a frame of a sequence, or with MURK_BAD_VALUE if
+ * the path is the pattern of a sequence and the scene gives no frame; the
+ * message lists frames that exist. The file of the albedo is not looked for. */
+#define MURK_FILLING_FILES 3
 murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
-                                const char *file[2], murk_error *err);
+                                const char *file[MURK_FILLING_FILES],
+                                murk_error *err);
 
-/* Imports all grids of the scene by murk_grid_read() and
- * murk_grid_read_albedo() (medium/grid.h), each file in a subprocess of its
- * own. Fails as these two functions, or with MURK_NO_MEMORY. The caller owns
- * *out (murk_fillings_destroy()); the scene must outlive *out. */
+/* Imports all grids of the scene by murk_grid_read(),
+ * murk_grid_read_between() and murk_grid_read_albedo() (medium/grid.h), each
+ * grid in a subprocess of its own. Fails as these three functions, or with
+ * MURK_NO_MEMORY. The caller owns *out (murk_fillings_destroy()); the scene
+ * must outlive *out. */
 murk_status murk_fillings_create(murk_fillings **out,
                                  const murk_scene_desc *scene, murk_error *err);
 void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */

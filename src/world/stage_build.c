@@ -129,9 +129,10 @@ static murk_status import_world(murk_stage *stage, murk_error *err)
     murk_status status = import_meshes(stage, 0, lit_meshes(scene), err);
     /* Files of media: checksums first, then the grids themselves. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
-        const char *file[2] = {NULL, NULL}, *where = scene->media[i].where;
+        const char *file[MURK_FILLING_FILES] = {NULL};
+        const char *where = scene->media[i].where;
         status = murk_fillings_files(scene, i, file, err);
-        for (int k = 0; k < 2 && !status; ++k) {
+        for (int k = 0; k < MURK_FILLING_FILES && !status; ++k) {
             status =
                 file[k] ? add_checksum(stage, file[k], where, err) : MURK_OK;
         }

@@ -205,6 +205,18 @@ def same_bytes():
         p.refused("place out/scene.resolved.yaml --set media.fog.albedo=.5 -o out", "scene.resolved.yaml", READ)
 
 
+def frames():
+    """Between two frames of a sequence of grids, the next one is read, too."""
+    sequence = SCENE.replace("{extinction_per_m: 0.2,", '{vdb: "f#.vdb", frame: 1.5, extinction_per_m: 0.2,')
+    tally = "tallies: [{name: f2, type: grid, min_m: [1, 1, 1], max_m: [3, 3, 2], size: [2, 2, 1]}]\n"
+    with Place(**{"scene.yaml": sequence + tally, "p.csv": PROFILE}) as p:
+        for name in ("f1.vdb", "f2.vdb"):
+            p.well("media --profile p.csv -o " + name)
+        p.refused("trace scene.yaml -o .", "f2.vdb", READ)
+        p.refused("trace scene.yaml -o . --force", "f2.vdb", READ)
+        p.well("trace scene.yaml --set media.fog.frame=1 -o . --force")  # f2.vdb is not read
+
+
 def owners():
     """What murk wrote may be written again; what was edited, or is another's, may not."""
     with Place(**{"out/sensors.csv": SENSORS}) as p:
@@ -383,6 +395,7 @@ def killed(times):
 resolved_scene()
 inputs()
 same_bytes()
+frames()
 owners()
 says_whose()
 earlier_runs()

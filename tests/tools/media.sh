@@ -46,6 +46,43 @@ for frame in 1 3; do
 done
 cmp -s "$dir/frame1/light.murk" "$dir/frame3/light.murk" && { echo "frames are alike"; exit 1; }
 
+# between two frames: from the command line, whole numbers as before to the byte, and as rows of a study
+scene "$dir/fog.####.vdb" ", frame: 1"
+for frame in 1 2 1.25; do
+    "$murk" check "$dir/scene.yaml" --set media.cloud.frame=$frame --format json >"$dir/check$frame"
+done
+python3 - "$dir/check1" "$dir/check2" "$dir/check1.25" <<'PYTHON'
+import json, sys
+one, two, between = (json.load(open(path))["media"][0]["grid"]["sum"] for path in sys.argv[1:])
+want = .75 * one + .25 * two
+assert abs(between - want) < 1e-6 * want and abs(one - two) > 1e-3 * want, (one, two, between)
+PYTHON
+"$murk" trace "$dir/scene.yaml" --set media.cloud.frame=1.0 --quiet -o "$dir/frame1.0"
+cmp "$dir/frame1/light.murk" "$dir/frame1.0/light.murk"
+cat >"$dir/study.yaml" <<YAML
+murk_study: 1
+base: scene.yaml
+axes: {media.cloud.frame: [1, 1.5, 2, 2.5, 3]}
+outputs: [density]
+YAML
+"$murk" study "$dir/study.yaml" --quiet -o "$dir/study"
+python3 - "$dir/study/table.csv" <<'PYTHON'
+import csv, sys
+rows = list(csv.DictReader(line for line in open(sys.argv[1]) if not line.startswith("#")))
+frames = [row["media.cloud.frame"] for row in rows]
+assert frames == ["1", "1.5", "2", "2.5", "3"], frames
+assert not any(row.get("failed") for row in rows), rows
+density = [row[next(name for name in row if name.startswith("density"))] for row in rows]
+assert len(set(density)) == 5, density
+PYTHON
+for pair in 3.5:4 0.5:0; do # time, and the frame that is missing
+    state=0
+    "$murk" check "$dir/scene.yaml" --set media.cloud.frame=${pair%:*} >"$dir/out" 2>"$dir/err" || state=$?
+    text="frame ${pair%:*} is between two frames, and frame ${pair#*:} of $dir/fog.####.vdb is not there; there are 1..3"
+    [ $state = 2 ] && [ "$(wc -l <"$dir/err")" = 1 ] && grep -qF "$text" "$dir/err" ||
+        { echo "frame $pair: $state"; cat "$dir/err"; exit 1; }
+done
+
 # a profile: what is read, and straight down through the grid e^-2.4 is left
 printf '# a cast\nstation,depth[m],c532[1/m],c514[1/m]\n' >"$dir/casts.csv"
 printf 'A,%s,%s,9\n' 0 .1 2 .3 10 .2 >>"$dir/casts.csv"
@@ -108,4 +145,4 @@ refused "0..4294967295" plume -o x.vdb --seed -1
 refused "current_m_per_s: 0, must be 0.001..10" plume -o x.vdb current_m_per_s=0
 refused "wind=3: no such number" plume -o x.vdb wind=3
 refused "a pattern such as" plume -o "$dir/x.vdb" --frames 2
-echo "four kinds, three frames, a profile, eighteen refusals"
+echo "four kinds, three frames, times between them, a profile, twenty refusals"

@@ -38,7 +38,9 @@ static murk_context *make_context(murk_imports imports, const char *reader)
     return context;
 }
 
-/* The scene with a cloud of cells of 1 m from an array. */
+/* The scene with a cloud of cells of 1 m from an array, or from the file `vdb`,
+ * which is the pattern of a sequence if it contains a %: then the time is
+ * between two frames. */
 static murk_scene *make_scene(murk_context *context, const char *vdb)
 {
     static const float density[8] = {0, 1, 0.5F, 1, 1, 0, 1, 0.25F};
@@ -51,6 +53,9 @@ static murk_scene *make_scene(murk_context *context, const char *vdb)
     CHECK(
         !murk_scene_add_grid(scene, "cloud", &values, place, NULL, NULL, NULL));
     CHECK(!murk_scene_set(scene, "media.fog.vdb", vdb, NULL));
+    if (strchr(vdb, '%')) {
+        CHECK(!murk_scene_set(scene, "media.fog.frame", "1.5", NULL));
+    }
     return scene;
 }
 
@@ -88,12 +93,13 @@ static double light_of(murk_imports imports, const char *vdb)
     return sum_w;
 }
 
-static void test_readers_agree(const char *vdb)
+static double test_readers_agree(const char *vdb)
 {
     const double by_reader = light_of(MURK_IMPORTS_READER, vdb),
                  by_fork = light_of(MURK_IMPORTS_FORK, vdb),
                  in_process = light_of(MURK_IMPORTS_IN_PROCESS, vdb);
     CHECK(by_reader > 0 && by_reader == by_fork && by_reader == in_process);
+    return by_reader;
 }
 
 static void test_failures(void)
@@ -139,10 +145,14 @@ int main(void)
     snprintf(vdb, sizeof vdb, "%s/tests/physics/scenes/step-cloud.vdb", top);
     write_files();
     test_readers_agree("memory:cloud");
-    test_readers_agree(vdb);
+    const double of_one = test_readers_agree(vdb);
+    /* Between two equal frames there is the light of one. */
+    CHECK(symlink(vdb, "cloud.1.vdb") == 0 && symlink(vdb, "cloud.2.vdb") == 0);
+    CHECK(test_readers_agree("cloud.%d.vdb") == of_one);
     test_failures();
-    static const char *const files[] = {"floor.obj", "floor.mtl", "bad.obj"};
-    for (size_t i = 0; i < 3; ++i) {
+    static const char *const files[] = {"floor.obj", "floor.mtl", "bad.obj",
+                                        "cloud.1.vdb", "cloud.2.vdb"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
         unlink(files[i]);
     }
     CHECK(chdir("/") == 0 && rmdir(folder) == 0);

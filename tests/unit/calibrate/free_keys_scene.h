@@ -31,6 +31,7 @@ static const char *const SCENE =
     "  sea: {preset: water/case-1}\n"
     "  black: {extinction_per_m: .1, albedo: 0}\n"
     "  clear: {extinction_per_m: 0, albedo: .5}\n"
+    "  plume: {vdb: p.##.vdb, frame: 3.5, extinction_per_m: 1, albedo: .9}\n"
     "regions:\n"
     "  - {medium: fog}\n"
     "  - {medium: plain, box: {min_m: [1, 1, 1], max_m: [2, 2, 2]}}\n"

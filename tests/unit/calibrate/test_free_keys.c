@@ -163,7 +163,7 @@ static void test_a_scene_has_the_values(void)
     CHECK(at->regions[1].solid.translate_m.y == 0 && at->n_conditions == 0);
     murk_scene_desc_destroy(at);
     CHECK(murk_free_optics(&optics, keys, 0, value, NULL) == MURK_OK);
-    CHECK(optics->media == 10 && optics->bands == 2 && optics->channels == 10);
+    CHECK(optics->media == 11 && optics->bands == 2 && optics->channels == 10);
     CHECK(optics->albedo[2].band[1] == .1 + .2);
     CHECK_NEAR(optics->power_w[2], 7, 1e-14);
     CHECK_NEAR(optics->power_w[3], 2, 1e-14);

@@ -66,6 +66,7 @@ static void test_keys_are_refused(void)
     refused("regions.0.scale", "to start from");
     refused("regions.1.replace", "false, must be a number");
     refused("lights.0.schedule", "must be a number");
+    refused("media.plume.frame", "a choice or a count, must be a number");
     /* Bad names of conditions and gains, and keys that change nothing. */
     refused("media.plain.albedo@dawn", "must be @each");
     refused("gain.prob", "did you mean probe?");

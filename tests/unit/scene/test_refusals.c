@@ -215,6 +215,34 @@ static const refusal REFUSALS[] = {
      "or %04d"},
     {"media:\n  a: {vdb: s#.vdb, frame: -3, extinction_per_m: 1, albedo: 1}\n",
      VALUE, "fog.yaml:3:27: media.a.frame", "-3, must be 0..999999999"},
+    {"media:\n  a: {vdb: s#.vdb, frame: -1e-9, extinction_per_m: 1, albedo: "
+     "1}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame", "-1e-9, must be 0..999999999"},
+    {"media:\n  a: {vdb: s#.vdb, frame: nan, extinction_per_m: 1, albedo: 1}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame",
+     "nan, must be a number, 0..999999999"},
+    {"media:\n  a: {vdb: s#.vdb, frame: 999999999.5, extinction_per_m: 1, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame",
+     "999999999.5, must be 0..999999999"},
+    {"media:\n  a: {vdb: s#.vdb, frame: 9007199254740993, extinction_per_m: 1, "
+     "albedo: 1}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame",
+     "9007199254740993, must be 0..999999999"},
+    {"media:\n  a: {vdb: s.vdb, frame: 3.5, extinction_per_m: 1, albedo: 1}\n",
+     VALUE, "fog.yaml:3:3: media.a",
+     "a frame of s.vdb, which has no place for its number, such as #### or "
+     "%04d"},
+    {"media:\n  a: {vdb: s#.vdb, frame: 3.5, extinction_per_m: 1, albedo: "
+     "{grid: w}}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame",
+     "3.5 is between two frames, must be whole if each frame has a grid of "
+     "albedos: only densities are interpolated in time"},
+    {"media:\n  a: {vdb: s#.vdb, frame: 3.5, extinction_per_m: 1, albedo: "
+     "{grid: w, vdb: w%d.vdb}}\n",
+     VALUE, "fog.yaml:3:27: media.a.frame",
+     "3.5 is between two frames, must be whole if each frame has a grid of "
+     "albedos: only densities are interpolated in time"},
     {"media:\n  a: {frame: 3, extinction_per_m: 1, albedo: 1}\n", VALUE,
      "fog.yaml:3:7: media.a.frame",
      "not a key of a medium (homogeneous), must be one of vdb, profile, "

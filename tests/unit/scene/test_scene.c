@@ -296,6 +296,52 @@ static void test_fillings_by_override(void)
     murk_scene_desc_destroy(scene);
 }
 
+/* The frame of a medium with a pattern of files: printed as `shown`, with the
+ * files of the frame and of the next one (NULL: none) and the weight of the
+ * latter. */
+static void check_frame(const char *given, const char *shown, const char *file,
+                        const char *next, double weight)
+{
+    char text[64], line[64];
+    snprintf(text, sizeof text, "media.plume.frame=%s", given);
+    snprintf(line, sizeof line, "frame: %s,", shown);
+    const murk_override overrides[] = {{.text = "media.plume.vdb=s.%d.vdb"},
+                                       {.text = "media.plume.albedo=0.5"},
+                                       {.text = text}};
+    murk_scene_desc *scene = must_read(FULL_SCENE, overrides, 3);
+    const murk_scene_medium *plume = &scene->media[3];
+    CHECK(plume->has_frame && plume->next_weight == weight);
+    CHECK_TEXT(plume->vdb, file);
+    CHECK_TEXT(plume->vdb_next ? plume->vdb_next : "none",
+               next ? next : "none");
+    CHECK_TEXT(plume->vdb_frames, "s.%d.vdb");
+    CHECK_MENTIONS(scene->resolved, line);
+    CHECK_MENTIONS(scene->light_key, line);
+    murk_scene_desc_destroy(scene);
+}
+
+/* Whole numbers are printed without a point, however they are written. */
+static void test_times_between_frames(void)
+{
+    check_frame("12", "12", "s.12.vdb", NULL, 0);
+    check_frame("12.0", "12", "s.12.vdb", NULL, 0);
+    check_frame("+12e0", "12", "s.12.vdb", NULL, 0);
+    check_frame("1e6", "1000000", "s.1000000.vdb", NULL, 0);
+    check_frame("999999999", "999999999", "s.999999999.vdb", NULL, 0);
+    check_frame("0.5", "0.5", "s.0.vdb", "s.1.vdb", .5);
+    check_frame("12.25", "12.25", "s.12.vdb", "s.13.vdb", .25);
+    check_frame("999999998.75", "999999998.75", "s.999999998.vdb",
+                "s.999999999.vdb", .75);
+    /* An albedo grid in one file for all frames may have such a time. */
+    const murk_override overrides[] = {
+        {.text = "media.plume.frame=12.5"},
+        {.text = "media.plume.albedo={grid: w, vdb: z.vdb}"}};
+    murk_scene_desc *scene = must_read(FULL_SCENE, overrides, 2);
+    CHECK_TEXT(scene->media[3].vdb_next, "plume.0013.vdb");
+    CHECK_TEXT(scene->media[3].albedo_vdb, "z.vdb");
+    murk_scene_desc_destroy(scene);
+}
+
 /* Each kind of phase function, for all bands and by band. The file of a
  * table lies in the folder of the scene, and is part of the light key. */
 static void test_phases(void)
@@ -500,6 +546,7 @@ int main(void)
     test_defaults();
     test_band_edges();
     test_fillings_by_override();
+    test_times_between_frames();
     test_one_band_by_override();
     test_phases();
     test_spacing_fills_the_grid();

@@ -11,10 +11,11 @@
 
 static char folder[64], text[1024];
 
-/* A sequence of frames 1, 2, 5 with a density and an albedo, 2 x 1 x 1 m. */
-static void write_frame(int frame)
+/* Writes a frame with a density, of which the first voxel is given, and an
+ * albedo, 2 x 1 x 1 m. */
+static void write_density(int frame, float first)
 {
-    const float density[2] = {(float)frame, 2}, albedo[2] = {0.25F, 0.75F};
+    const float density[2] = {first, 2}, albedo[2] = {0.25F, 0.75F};
     const murk_grid_field fields[] = {{"density", density, NULL},
                                       {"albedo", albedo, NULL}};
     const size_t size[3] = {2, 1, 1};
@@ -38,6 +39,12 @@ static murk_stage *stage_of(const char *media_and_regions,
              "%s",
              media_and_regions);
     return stage_text_create(text, overrides);
+}
+
+/* A sequence of frames 1, 2, 5. */
+static void write_frame(int frame)
+{
+    write_density(frame, (float)frame);
 }
 
 static double extinction(const murk_stage *stage, double x, double y, double z)
@@ -77,6 +84,56 @@ static void test_frames_and_albedo(void)
     CHECK(stage && extinction(stage, 1.5, 0, 0) == 3);
     CHECK(stage && scattering(stage, 1.5, 0, 0) == 0.75 * 3);
     stage_text_destroy(stage);
+}
+
+/* A scene whose albedo does not change in time; 2 x 1 x 1 m, as the frames. */
+static void scene_in_time(char scene[512], const char *frame)
+{
+    snprintf(scene, 512,
+             "media:\n  m: {vdb: %s/f.###.vdb, frame: %s, extinction_per_m: 3, "
+             "grid: density, albedo: {grid: albedo, vdb: %s/f.005.vdb}}\n"
+             "regions: [{medium: m}]\n",
+             folder, frame, folder);
+}
+
+/* The number of lines of checksums in the light key of a stage. */
+static size_t sums_in(const murk_stage *stage)
+{
+    size_t n = 0;
+    const char *at = stage->light_key;
+    while ((at = strstr(at, "checksum: "))) {
+        at += strlen("checksum: ");
+        ++n;
+    }
+    return n;
+}
+
+static void test_a_time_between_frames(void)
+{
+    /* Frame 1 has the densities 1 and 2, frame 2 has 2 and 2. */
+    char scene[512];
+    scene_in_time(scene, "1.25");
+    murk_stage *stage = stage_of(scene, NULL);
+    CHECK(stage && extinction(stage, 0, 0, 0) == 3.75);
+    CHECK(stage && extinction(stage, 1, 0, 0) == 6);
+    CHECK(stage && scattering(stage, 0, 0, 0) == .25 * 3.75);
+    murk_stage *other = stage_of(scene, NULL);
+    CHECK(stage && other && strcmp(stage->light_key, other->light_key) == 0);
+    stage_text_destroy(other);
+    /* The light key has the checksums of both frames and of the albedos. */
+    scene_in_time(scene, "1");
+    murk_stage *whole = stage_of(scene, NULL);
+    CHECK(stage && whole && sums_in(stage) == sums_in(whole) + 1);
+    stage_text_destroy(whole);
+    /* Another next frame gives another key. */
+    write_density(2, 7);
+    scene_in_time(scene, "1.25");
+    other = stage_of(scene, NULL);
+    CHECK(other && extinction(other, 0, 0, 0) == 3 * (.75 + .25 * 7));
+    CHECK(stage && other && strcmp(stage->light_key, other->light_key) != 0);
+    stage_text_destroy(other);
+    stage_text_destroy(stage);
+    write_density(2, 2);
 }
 
 static void refuses(const char *media, const char *override, const char *part)
@@ -119,6 +176,12 @@ static void test_a_missing_frame_names_those_there_are(void)
     refuses(given, "media.m.frame=3",
             "f.###.vdb is not there; there are 1..2, 5");
     refuses(given, "media.m.frame=3", "frame 3 of ");
+    refuses(given, "media.m.frame=2.5",
+            "frame 2.5 is between two frames, and frame 3 of ");
+    refuses(given, "media.m.frame=2.5",
+            "f.###.vdb is not there; there are 1..2, 5");
+    refuses(given, "media.m.frame=4.5", "and frame 4 of ");
+    refuses(given, "media.m.frame=3.5", "and frame 3 of ");
     refuses(left_out, NULL,
             "stands for a sequence: misses frame, there are 1..2, 5");
     refuses(given, "media.m.albedo.grid=none", "no grid named none");
@@ -176,6 +239,7 @@ int main(void)
         write_frame(frames[i]);
     }
     test_frames_and_albedo();
+    test_a_time_between_frames();
     test_a_missing_frame_names_those_there_are();
     test_a_profile_and_its_extent();
     for (int i = 0; i < 3; ++i) {
