@@ -5,6 +5,8 @@
 #include "refusals.h"
 #include "scene/timeline.h"
 
+#include <math.h>
+
 #define BOX "domain: {min_m: [0, 0, 0], max_m: [9, 9, 9]}\n"
 #define AT(tracks)                                                          \
     HEAD BOX "timeline: {from_s: 0, to_s: 10, every_s: 5, tracks: [" tracks \
@@ -138,12 +140,14 @@ static void test_geometry_moves_with_its_lights(void)
     "media: {plume: {vdb: s.##.vdb, frame: 7, extinction_per_m: 1, albedo: " \
     "1}}\nregions: [{medium: plume}]\n"
 
-static uint64_t frame_at(const char *track, const char *at)
+static double frame_at(const char *track, const char *at)
 {
     char text[1000];
     snprintf(text, sizeof text, AT("%s") PLUME LAMP, track);
     murk_scene_desc *scene = read_at(text, at);
-    const uint64_t frame = scene->media[0].frame;
+    const murk_scene_medium *plume = &scene->media[0];
+    const double frame = plume->frame;
+    CHECK(plume->next_weight == (plume->vdb_next ? frame - floor(frame) : 0));
     murk_scene_desc_destroy(scene);
     return frame;
 }
@@ -153,13 +157,15 @@ static void test_sequences_of_grids(void)
     const char nearest[] = "{medium: plume, from_s: 1, every_s: 0.1}",
                held[] = "{medium: plume, every_s: 2, between: hold}",
                own[] = "{medium: plume, frames: a.##.vdb, first_frame: 20, "
-                       "every_s: 2}";
+                       "every_s: 2}",
+               mixed[] = "{medium: plume, every_s: 2, between: linear}";
     CHECK(frame_at(nearest, "1") == 7);
     CHECK(frame_at(nearest, "1.3") == 10); /* (1.3 - 1) / .1 is below 3 */
     CHECK(frame_at(nearest, "1.34") == 10 && frame_at(nearest, "1.36") == 11);
     CHECK(frame_at(nearest, "1.05") == 8); /* halfway: the later one */
     CHECK(frame_at(held, "3.9") == 8 && frame_at(held, "4") == 9);
     CHECK(frame_at(own, "4") == 22);
+    CHECK(frame_at(mixed, "4") == 9 && frame_at(mixed, "4.5") == 9.25);
     /* Without a number in the scene the first file is that which exists. */
     write_text("s.05.vdb", "");
     write_text("s.04.vdb", "");
