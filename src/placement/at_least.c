@@ -249,8 +249,7 @@ static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
     const uint64_t bound =
         murk_bound_tighten(&p->bound, n, below, p->plan, p->size, ROUNDS);
     *upper = bound < *upper ? bound : *upper;
-    if (*upper <= below || !murk_place_has_proof(desc->method) ||
-        murk_must_finish()) {
+    if (*upper <= below || !murk_place_has_proof(desc) || murk_must_finish()) {
         return MURK_OK;
     }
     /* Branch and bound over V, with the strict weight in the callback. */
@@ -321,6 +320,14 @@ static murk_status find_count(void *context, size_t n, const uint32_t *from,
         if (find_best(r, &run->trial[n - 1])) {
             try_plan(r);
         }
+    }
+    /* Try the start plan. */
+    if (run->desc->start_plan && run->desc->method != MURK_PLACE_GREEDY &&
+        run->value < target) {
+        r->trial_size = murk_search_begin_at(
+            &run->search, run->trial, n, run->desc->start_plan,
+            run->desc->start_size, &run->result.started_from);
+        try_plan(r);
     }
     /* Try the plan for the mean. */
     if (run->value < target && p->size == n) {

@@ -12,6 +12,16 @@
  * MURK_PLACE_GREEDY is greedy alone, MURK_PLACE_EXACT is greedy followed by
  * branch and bound. Every method computes a bound.
  *
+ * With a start plan (desc->start_plan, the plan of an earlier step, say)
+ * MURK_PLACE_BEST relocates that plan in place of the SPOQ starts, whatever
+ * `restarts` says, and makes no branch and bound: the search costs a few sweeps
+ * and is never worse than greedy. Of plans of equal value the one from the
+ * start plan is taken. MURK_PLACE_EXACT relocates the start plan as a further
+ * incumbent; MURK_PLACE_SPOQ begins at the start plan in place of a random one;
+ * MURK_PLACE_GREEDY ignores it. For each count the start plan is cut or
+ * completed: candidates that break a constraint are left out, in the order of
+ * the list, those beyond the count too, and greedy adds what is missing.
+ *
  * A plan that reaches the ceiling (the value of all candidates together) is
  * optimal and ends the work on that count. A limit, search_work, holds for the
  * work of the searches, in evaluations. The SPOQ starts have a limit of their

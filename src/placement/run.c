@@ -122,6 +122,7 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
     /* Each count builds on the plan of the count before. */
     murk_curve_point point = {0};
     for (size_t k = run->first; k <= run->last && !murk_interrupted(); ++k) {
+        result->started_from = 0;
         const murk_status status =
             find(context, k, k > run->first ? last_plan : NULL, &point, err);
         if (status) {

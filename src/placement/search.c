@@ -1,6 +1,7 @@
 /* Greedy, SPOQ and certified relocation (placement/search.h). All are made of
  * scans over a partial plan (placement/scan.h). Random numbers are addressed by
- * seed, start and step, so a start gives the same plan in any thread. */
+ * seed, start and step, so a start gives the same plan in any thread. The plans
+ * that SPOQ and relocation begin with are made in search_begin.c. */
 #include "placement/search.h"
 
 #include "base/interrupt.h"
@@ -26,23 +27,6 @@ static void lower_greedy_bounds(murk_gain_scan *s, uint64_t value)
         s->greedy_bound[k] =
             max < s->greedy_bound[k] ? max : s->greedy_bound[k];
     }
-}
-
-size_t murk_search_begin(murk_gain_scan *s, uint32_t *plan, size_t given,
-                         size_t n)
-{
-    const murk_constraint_set *set = s->evaluator->set;
-    if (!set) {
-        return given;
-    }
-    murk_partial_plan_clear(&s->partial,
-                            set->has_budget ? set->max_sensors : n);
-    s->is_move = false;
-    const size_t fixed = set->constraints->fixed_count;
-    for (size_t k = given; k < fixed; ++k) {
-        plan[k] = (uint32_t)set->constraints->fixed[k];
-    }
-    return given > fixed ? given : fixed;
 }
 
 /* True if a plan under a budget is complete and the last gain is 0. */
@@ -167,31 +151,13 @@ uint64_t murk_search_budget_greedy(murk_gain_scan *s, uint32_t *plan,
     return value;
 }
 
-static void fill_with_numbers(uint32_t *order, size_t n)
-{
-    for (uint32_t k = 0; k < n; ++k) {
-        order[k] = k;
-    }
-}
-
-/* Draws entry k of a random permutation of 0..m-1 (Fisher-Yates), after all
- * entries before it; k < m. */
-static uint32_t draw_next(uint32_t *shuffle, size_t m, uint32_t k,
-                          uint32_t seed, uint64_t restart)
-{
-    uint32_t word[4];
-    murk_random_words(seed, MURK_SPOQ_START, restart, k, 0, word);
-    const uint32_t at = k + murk_random_below(word[0], (uint32_t)m - k);
-    const uint32_t drawn = shuffle[at];
-    shuffle[at] = shuffle[k];
-    return drawn;
-}
-
 /* A random order of 0..n-1 for one sweep (Fisher-Yates). */
 static void draw_order(uint32_t *order, size_t n, uint32_t seed,
                        uint64_t restart, uint32_t sweep)
 {
-    fill_with_numbers(order, n);
+    for (uint32_t k = 0; k < n; ++k) {
+        order[k] = k;
+    }
     for (uint32_t k = 0; k + 1 < n; ++k) {
         uint32_t word[4];
         murk_random_words(seed, MURK_SPOQ_ORDER, restart, sweep, k, word);
@@ -200,36 +166,6 @@ static void draw_order(uint32_t *order, size_t n, uint32_t seed,
         order[at] = order[k];
         order[k] = held;
     }
-}
-
-/* Adds candidates in random order; with constraints, those that can be added.
- * If that does not complete a plan, returns the fallback plan. */
-size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
-                        uint32_t seed, uint64_t restart)
-{
-    const size_t m = s->evaluator->candidates;
-    const bool is_constrained = s->evaluator->set;
-    size_t size = murk_search_begin(s, plan, 0, n);
-    for (size_t k = 0; k < size; ++k) {
-        murk_partial_plan_add(&s->partial, plan[k]);
-    }
-    /* Draw until the plan has the wanted size. */
-    const size_t wanted = is_constrained ? s->partial.wanted : n;
-    fill_with_numbers(s->shuffle, m);
-    for (uint32_t k = 0; k < m && size < wanted; ++k) {
-        const uint32_t candidate = draw_next(s->shuffle, m, k, seed, restart);
-        if (!is_constrained) {
-            plan[size++] = candidate;
-        } else if (murk_gain_scan_can_add(s, candidate)) {
-            plan[size++] = candidate;
-            murk_partial_plan_add(&s->partial, candidate);
-        }
-    }
-    if (!is_constrained || murk_partial_plan_is_complete(&s->partial)) {
-        return size;
-    }
-    memcpy(plan, s->fallback, s->fallback_size * sizeof *plan);
-    return s->fallback_size;
 }
 
 /* True if the search must end: by the limit on work, by a request to finish or
@@ -249,17 +185,25 @@ static void begin_sweep(murk_climb *c, murk_gain_scan *s)
     draw_order(s->shuffle, c->n - c->fixed, c->seed, c->restart, c->sweep++);
 }
 
-void murk_climb_begin_spoq(murk_climb *c, murk_gain_scan *s, uint32_t *plan,
-                           size_t n, uint32_t seed, uint64_t restart)
+/* Begins SPOQ at the plan of n sensors in plan[]. */
+static void begin_spoq_at(murk_climb *c, murk_gain_scan *s, uint32_t *plan,
+                          size_t n, uint32_t seed, uint64_t restart)
 {
     *c = (murk_climb){.plan = plan,
+                      .n = n,
                       .is_spoq = true,
                       .fixed = murk_fixed_count(s->evaluator->set),
                       .seed = seed,
                       .restart = restart};
-    c->n = murk_search_draw(s, plan, n, seed, restart);
-    c->value = murk_gain_scan_set_all_but(s, plan, c->n, c->n);
+    c->value = murk_gain_scan_set_all_but(s, plan, n, n);
     begin_sweep(c, s);
+}
+
+void murk_climb_begin_spoq(murk_climb *c, murk_gain_scan *s, uint32_t *plan,
+                           size_t n, uint32_t seed, uint64_t restart)
+{
+    const size_t drawn = murk_search_draw(s, plan, n, seed, restart);
+    begin_spoq_at(c, s, plan, drawn, seed, restart);
 }
 
 /* SPOQ: the next sensor of the sweep. After each sweep a budget is spent; the
@@ -393,6 +337,14 @@ uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
 {
     murk_climb c;
     murk_climb_begin_spoq(&c, s, plan, n, seed, restart);
+    return climb(&c, s);
+}
+
+uint64_t murk_search_spoq_from(murk_gain_scan *s, uint32_t *plan, size_t n,
+                               uint32_t seed)
+{
+    murk_climb c;
+    begin_spoq_at(&c, s, plan, n, seed, 0);
     return climb(&c, s);
 }
 

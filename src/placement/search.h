@@ -5,9 +5,10 @@
 
 #include "placement/scan.h"
 
-/* All functions but murk_search_begin() and murk_search_draw() return the value
- * of the plan that they leave in plan[], which has distinct candidates. If the
- * run is interrupted these functions return early, and the plan has no meaning.
+/* All functions but murk_search_begin(), murk_search_draw() and
+ * murk_search_begin_at() return the value of the plan that they leave in
+ * plan[], which has distinct candidates. If the run is interrupted these
+ * functions return early, and the plan has no meaning.
  *
  * Under constraints the fixed sensors come first in a plan and never move,
  * every plan tried is feasible, and s->size is the number of sensors
@@ -38,6 +39,16 @@ uint64_t murk_search_greedy(murk_gain_scan *s, uint32_t *plan, size_t given,
 size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
                         uint32_t seed, uint64_t restart);
 
+/* Makes a plan of n sensors from a given list of distinct candidates,
+ * list[given]: adds those that keep the constraints, in the order of the list,
+ * until the plan is full, then completes the plan by greedy. If greedy cannot
+ * complete the plan, the result is s->fallback. *taken receives the number of
+ * candidates of the list that are in the plan by way of the list, fixed sensors
+ * included; 0 for the fallback plan. Returns the number of sensors in plan[].
+ */
+size_t murk_search_begin_at(murk_gain_scan *s, uint32_t *plan, size_t n,
+                            const uint32_t *list, size_t given, size_t *taken);
+
 /* The published SPOQ algorithm (placement/place.h) from start number `restart`,
  * with two differences. With a budget, each sweep is followed by
  * murk_search_budget_greedy(). And two sensors never share a candidate; in the
@@ -47,6 +58,10 @@ size_t murk_search_draw(murk_gain_scan *s, uint32_t *plan, size_t n,
  * murk_search_relocate() does. */
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
+
+/* The same from the given plan[n], with the random numbers of start 0. */
+uint64_t murk_search_spoq_from(murk_gain_scan *s, uint32_t *plan, size_t n,
+                               uint32_t seed);
 
 /* Certified relocation: moves single sensors that are not fixed to other
  * candidates while a move increases the value; a sensor stays where it is if no

@@ -40,8 +40,12 @@ typedef struct murk_place_desc {
     bool with_curve; /* also find plans of fewer sensors, from 1 or from the
                         smallest feasible count; not with a budget */
     const murk_constraints
-        *constraints;    /* borrowed; NULL: none but the count. With a budget
-                            `count` is the maximum, and 0 means any number */
+        *constraints; /* borrowed; NULL: none but the count. With a budget
+                         `count` is the maximum, and 0 means any number */
+    const uint32_t *start_plan; /* [start_size] borrowed: distinct candidates at
+                                   which the search begins (placement/place.h);
+                                   NULL: no start plan is given */
+    size_t start_size;
     bool keep_dominated; /* without presolve, for comparison */
 } murk_place_desc;
 
@@ -49,10 +53,13 @@ murk_place_desc
 murk_place_defaults(void); /* best, 1 sensor, 200 starts, 1e6 nodes, 1 GiB of
                               rows, seed 1, with a curve */
 
-/* True if the method ends with branch and bound, in a known environment. */
-static inline bool murk_place_has_proof(murk_place_method method)
+/* True if the search ends with branch and bound, in a known environment. A
+ * search that begins at a start plan is meant to be short, so only
+ * MURK_PLACE_EXACT proves plans there. */
+static inline bool murk_place_has_proof(const murk_place_desc *desc)
 {
-    return method == MURK_PLACE_BEST || method == MURK_PLACE_EXACT;
+    return desc->method == MURK_PLACE_EXACT ||
+           (desc->method == MURK_PLACE_BEST && !desc->start_plan);
 }
 
 typedef struct murk_curve_point {
@@ -83,7 +90,9 @@ typedef struct murk_place_result {
                               (placement/evaluator.h) */
     size_t restarts;       /* SPOQ starts made; murk_place_sensors() leaves out
                               those for the smaller counts of a curve */
-    uint64_t nodes;        /* work of branch and bound */
+    size_t started_from; /* candidates of desc->start_plan in the plan that the
+                            search began with */
+    uint64_t nodes;      /* work of branch and bound */
     bool is_cut; /* branch and bound ended without a proof, at desc->nodes or by
                     a request to finish */
     bool is_work_cut;     /* the searches ended at desc->search_work */

@@ -2,7 +2,8 @@
  * in every block, and bisection finds the highest level that greedy reaches
  * (SATURATE). Relocation, greedy on each block, random starts and branch and
  * bound follow as the method asks. MURK_PLACE_SPOQ has one random start in
- * place of greedy. placement/worst.h has the steps of each method. */
+ * place of greedy. A start plan replaces greedy on each block and the random
+ * starts. placement/worst.h has the steps of each method. */
 #include "placement/worst.h"
 
 #include "base/interrupt.h"
@@ -161,6 +162,16 @@ static bool try_start(worst *w, size_t n, uint64_t restart)
     return try_trial(w, n);
 }
 
+/* The plan of n sensors made from the start plan, relocated. */
+static void try_start_plan(worst *w, size_t n)
+{
+    murk_place_run *run = &w->run;
+    run->search.size =
+        murk_search_begin_at(&run->search, run->trial, n, run->desc->start_plan,
+                             run->desc->start_size, &run->result.started_from);
+    try_trial(w, n);
+}
+
 static void try_starts(worst *w, size_t n, size_t max)
 {
     size_t without_gain = 0;
@@ -189,7 +200,7 @@ static uint64_t check_plan(void *context, const uint32_t *plan, size_t size,
 static murk_status branch_and_bound(worst *w, size_t n, murk_error *err)
 {
     murk_place_run *run = &w->run;
-    if (!murk_place_has_proof(run->desc->method) || run->value >= w->upper) {
+    if (!murk_place_has_proof(run->desc) || run->value >= w->upper) {
         return MURK_OK;
     }
     const murk_exact_callback by = {check_plan, w};
@@ -224,7 +235,14 @@ static void make_first_plans(worst *w, size_t n, const uint32_t *from)
 {
     murk_place_run *run = &w->run;
     const murk_place_method method = run->desc->method;
-    if (method == MURK_PLACE_SPOQ && !murk_must_finish()) {
+    const bool has_start = run->desc->start_plan && !murk_must_finish() &&
+                           method != MURK_PLACE_GREEDY;
+    if (has_start) { /* first, so that it stays on ties */
+        try_start_plan(w, n);
+    }
+    if (method == MURK_PLACE_SPOQ && has_start) {
+        ++run->result.restarts;
+    } else if (method == MURK_PLACE_SPOQ && !murk_must_finish()) {
         try_start(w, n, 0);
     } else if (run->desc->target) {
         greedy_to_level(w, n, run->desc->target);
@@ -289,13 +307,16 @@ static murk_status search_count(worst *w, size_t n, bool is_plan_asked,
     if (desc->target && is_best) {
         saturate(w, n);
     }
-    status = murk_worst_bound_tighten(
-        &w->bound, n, run->value, run->plan, run->size,
-        is_plan_asked ? STEPS : STEPS_CURVE, ROUNDS, &w->upper, err);
+    /* With a start plan the bound gets the work of a smaller count, which would
+     * otherwise take most of the time. */
+    const size_t steps =
+        is_plan_asked && !desc->start_plan ? STEPS : STEPS_CURVE;
+    status = murk_worst_bound_tighten(&w->bound, n, run->value, run->plan,
+                                      run->size, steps, ROUNDS, &w->upper, err);
     if (status || murk_must_finish()) {
         return status;
     }
-    if (is_best && run->value < w->upper) {
+    if (is_best && !desc->start_plan && run->value < w->upper) {
         greedy_per_block(w, n);
         saturate(w, n); /* again, as the bound is known now */
         try_starts(w, n, is_plan_asked ? desc->restarts : desc->restarts / 10);

@@ -7,10 +7,13 @@
  * no target also greedy by gain per cost). MURK_PLACE_BEST adds greedy on each
  * block, and random starts; relocates each plan; and ends with branch and
  * bound. MURK_PLACE_EXACT is greedy and branch and bound. MURK_PLACE_SPOQ is
- * one random start, relocated. No fraction of the optimum is guaranteed; the
- * bound always holds. Value, upper and ceiling of the result, and a target, are
- * worths in units of 1 / MURK_SHARE_ONE; `whole` is MURK_SHARE_ONE. The matrix
- * must not be NULL.
+ * one random start, relocated. With a start plan MURK_PLACE_BEST relocates that
+ * plan, which stays on ties, and greedy's plans, and makes neither greedy on
+ * each block nor random starts nor branch and bound; MURK_PLACE_SPOQ relocates
+ * the start plan alone, and MURK_PLACE_EXACT adds it to greedy. No fraction of
+ * the optimum is guaranteed; the bound always holds. Value, upper and ceiling
+ * of the result, and a target, are worths in units of 1 / MURK_SHARE_ONE;
+ * `whole` is MURK_SHARE_ONE. The matrix must not be NULL.
  *
  * Source: Krause, McMahan, Guestrin, Gupta, J. Mach. Learn. Res. 9 (2008)
  * 2761. */
