@@ -58,6 +58,10 @@ const murk_option murk_option_table[] = {
      "the best sensors whose costs come to B at most; replaces the scene's "
      "count",
      .kind = MURK_OPTION_TEXT, .key = "sensors.budget"},
+    {"--start", NULL, "FILE", "check place",
+     "begin the search at this plan, a plan.json or sensors.csv, in place of "
+     "random starts: a short search that improves an earlier plan",
+     .kind = MURK_OPTION_TEXT, .key = "placement.start_plan"},
     {"--sensors", NULL, "FILE", "sense render",
      "a placement, sensors.csv (type, x_m, y_m, z_m) or a plan.json: the one "
      "to measure; render: who sees each pixel's place, as channels "

@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "cases/scenario_mean.h"
 #include "plan/few_photons.h"
+#include "plan/start_plan.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -74,6 +75,10 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
         status = murk_poses_create(&plan->poses, scene, &stage[0]->world.domain,
                                    plan->candidates->position,
                                    plan->candidates->usable, err);
+    }
+    if (!status) {
+        status = murk_start_plan_match(plan->poses, scene,
+                                       &stage[0]->world.domain, err);
     }
     return status;
 }

@@ -231,6 +231,8 @@ murk_place_desc murk_scenarios_desc(const murk_scenarios *j,
 {
     murk_place_desc desc = murk_plan_desc(j->scene);
     desc.constraints = murk_poses_constraints(j->poses);
+    desc.start_plan = j->poses->start;
+    desc.start_size = j->poses->starts;
     /* The target is a share of the coverage, here converted to a value: for the
      * mean in the weights of the problem, for the worst scenario in units of 1
      * / MURK_SHARE_ONE of a block, lowered by the rounding of that product. */

@@ -10,6 +10,7 @@
 #include "cases/sweep_coverage.h"
 #include "cases/sweep_store.h"
 #include "plan/plan.h"
+#include "plan/start_plan.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -172,6 +173,10 @@ static murk_status join(choosing *ch, murk_error *err)
         status = murk_poses_create(
             &ch->poses, stage[0]->scene, &stage[0]->world.domain,
             ch->candidates->position, ch->candidates->usable, err);
+    }
+    if (!status) {
+        status = murk_start_plan_match(ch->poses, stage[0]->scene,
+                                       &stage[0]->world.domain, err);
     }
     return status ? status
                   : murk_scenarios_create(&ch->scenarios, stage[0]->scene,

@@ -9,6 +9,7 @@
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
 #include "plan/row_cache.h"
+#include "plan/start_plan.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,6 +94,10 @@ murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
             &plan->poses, stage->scene, &stage->world.domain,
             plan->candidates->position, plan->candidates->usable, err);
     }
+    if (!status) {
+        status = murk_start_plan_match(plan->poses, stage->scene,
+                                       &stage->world.domain, err);
+    }
     if (!status && stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
         status = murk_explore_start(&plan->start, stage, plan->candidates,
                                     plan->poses, err);
@@ -169,12 +174,12 @@ static double row_bytes(const murk_sparse_row *row, size_t photons)
                         : fmin(all / 8, 4 * seen);
 }
 
-/* For `method: best` in an unknown environment, with a count of at least 2 and
- * without a target: forecasts the work from the rays and the time of a sample
- * of candidates, for as many starts as are made if no start brings a gain, and
- * prints the forecast beside the work in a known environment, unless most rows
- * can be cached. The looks and rays of the sample are not part of the work
- * of the plan (murk_plan_add_work()). */
+/* For `method: best` in an unknown environment, with a count of at least 2,
+ * without a target and without a start plan: forecasts the work from the rays
+ * and the time of a sample of candidates, for as many starts as are made if no
+ * start brings a gain, and prints the forecast beside the work in a known
+ * environment, unless most rows can be cached. The looks and rays of the sample
+ * are not part of the work of the plan (murk_plan_add_work()). */
 static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
                              const murk_problem *problem,
                              const murk_place_desc *desc)
@@ -184,8 +189,10 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
     const uint64_t rays = murk_sight_work_of(sight).shadow_rays;
     const double begun_s = murk_clock_s();
     double bytes = 0;
-    /* Other methods, single sensors and targets get no forecast. */
-    if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target) {
+    /* Other methods, single sensors, targets and start plans, which take the
+     * place of all starts, get no forecast. */
+    if (desc->method != MURK_PLACE_BEST || desc->count < 2 || desc->target ||
+        desc->start_plan) {
         return;
     }
     /* Evaluate the sample. */
@@ -231,6 +238,8 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                             plan->poses->count);
     murk_place_desc desc = murk_plan_desc(stage->scene);
     desc.constraints = murk_poses_constraints(plan->poses);
+    desc.start_plan = plan->poses->start;
+    desc.start_size = plan->poses->starts;
     desc.with_curve = desc.with_curve && !plan->without_curve;
     if (stage->scene->sensors.target > 0) {
         desc.target =

@@ -330,6 +330,7 @@ void murk_poses_destroy(murk_poses *p)
         free(p->fixed_number);
         free(p->cost);
         free(p->position_m);
+        free(p->start);
         free(p);
     }
 }

@@ -29,6 +29,10 @@ typedef struct murk_poses {
     int64_t *cost;
     double (*position_m)[3];
     const char **class_name; /* [types]; names of the scene */
+    uint32_t *start; /* [starts] candidates at which the search begins; NULL
+                      * until murk_start_plan_match() (plan/start_plan.h), and
+                      * if the scene has no start_plan */
+    size_t starts;
 } murk_poses;
 
 /* Creates the poses at the usable sites, site[n]. The caller owns *out; the

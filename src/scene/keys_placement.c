@@ -54,6 +54,7 @@ static const murk_key PLACEMENT_ROWS[] = {
         PLAN(memory_mb)),
     ROW("start_m", VECTOR, PLACE_M, PLAN(start),
         FLAG(murk_scene_placement, has_start)),
+    ROW("start_plan", PATH, PLAN(start_plan)),
     ROW("restarts", COUNT, .min = 1, .max = 1e6, .preset = "200",
         PLAN(restarts)),
     ROW("redundancy", COUNT, .min = 1, .max = 16, .preset = "1",
@@ -108,8 +109,20 @@ static murk_status check_at_least(murk_key_reader *walk, const murk_yaml *map,
                : MURK_OK;
 }
 
+/* A start plan is for searches; an exploration begins at start_m. */
+static murk_status check_start_plan(murk_key_reader *walk, const murk_yaml *map,
+                                    const murk_scene_placement *placement)
+{
+    return placement->start_plan && placement->knowledge == MURK_SCENE_EXPLORE
+               ? murk_walk_fail(walk, map,
+                                "start_plan is given with knowledge: explore, "
+                                "which walks from start_m; knowledge must be "
+                                "known or unknown")
+               : MURK_OK;
+}
+
 /* Checks that some photon has a weight, that redundancy fits the mode of
- * detection, and the needs of at_least. */
+ * detection, and the needs of start_plan and at_least. */
 static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {
@@ -131,7 +144,8 @@ static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                               (unsigned long long)placement->redundancy,
                               murk_detection_name(placement->detection));
     }
-    return check_at_least(walk, map, placement);
+    const murk_status status = check_start_plan(walk, map, placement);
+    return status ? status : check_at_least(walk, map, placement);
 }
 
 const murk_keys murk_placement_keys = {

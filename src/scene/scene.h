@@ -438,7 +438,9 @@ typedef struct murk_scene_placement {
     murk_scene_through through;
     murk_scene_knowledge knowledge;
     bool has_start;
-    murk_vec3 start; /* explore: the first position */
+    murk_vec3 start;  /* explore: the first position */
+    char *start_plan; /* file with the plan at which a search begins: path from
+                       * the working folder; NULL: none */
     uint64_t restarts, nodes;
     double memory_mb; /* MiB of rows in memory */
     bool balanced;    /* weights: balanced; false: the two weights below */

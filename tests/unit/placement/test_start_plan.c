@@ -98,6 +98,7 @@ static void test_a_good_start_stays(uint32_t seed)
         uint32_t start[SENSORS];
         const uint32_t best = best_set(m, SENSORS);
         const size_t n = list_of(best, start);
+        /* With and without the start, in both environments. */
         for (int known = 0; known < 2; ++known) {
             const murk_place_desc from =
                 desc_of(MURK_PLACE_BEST, SENSORS, start, n);
@@ -181,6 +182,7 @@ static void test_any_start_is_improved(uint32_t seed)
         murk_place_result greedy = place(m, &alone, true);
         uint32_t start[MADE_UP_MAX];
         shuffled(start, MADE_UP_MAX, seed + k);
+        /* Starts that are too short, complete and too long. */
         for (size_t size = 0; size <= 5; ++size) {
             const size_t taken = size < SENSORS ? size : SENSORS;
             uint32_t begun = 0;
@@ -191,12 +193,12 @@ static void test_any_start_is_improved(uint32_t seed)
                 desc_of(MURK_PLACE_BEST, SENSORS, start, size);
             murk_place_result known = place(m, &desc, true);
             murk_place_result unknown = place(m, &desc, false);
-            const uint64_t least = made_up_set_value(m, begun);
+            const uint64_t first = made_up_set_value(m, begun);
             CHECK(known.started_from == taken);
-            CHECK(known.value >= greedy.value && known.value >= least);
+            CHECK(known.value >= greedy.value && known.value >= first);
             CHECK(known.value == best_move(m, made_up_set(&known)));
             CHECK(made_up_set(&known) == made_up_set(&unknown));
-            improved += taken == SENSORS && known.value > least;
+            improved += taken == SENSORS && known.value > first;
             murk_place_release(&known);
             murk_place_release(&unknown);
         }
@@ -257,7 +259,7 @@ static void try_constrained(const made_up *m, const made_up_constraints *r,
     murk_place_release(&greedy);
 }
 
-static void test_constraints_are_kept(uint32_t seed)
+static void test_constraints_hold(uint32_t seed)
 {
     int plans = 0;
     for (uint32_t k = 0; k < 49; ++k) {
@@ -368,6 +370,7 @@ static void test_worst(uint32_t seed)
 {
     const murk_blocks blocks = {.n = 2, .first = {0, PHOTONS / 2, PHOTONS}};
     made_up *m = made_up_create(seed, PHOTONS, MADE_UP_MAX, 0.3, 50, 3, 1);
+    /* The best set by brute force. */
     uint32_t best = 0;
     for (uint32_t set = 1; set < 1u << MADE_UP_MAX; ++set) {
         if (__builtin_popcount(set) == SENSORS &&
@@ -414,6 +417,7 @@ static void test_at_least(uint32_t seed)
             whole += (uint64_t)m->weight[i] * MURK_CLEAR;
         }
         exact.target = whole * 6 / 10;
+        /* The fewest sensors by branch and bound are the start. */
         murk_place_result best = {0}, plan = {0};
         CHECK(
             !murk_place_at_least(&best, &strict.problem, matrix, &exact, &err));
@@ -439,7 +443,7 @@ int main(int argc, char **argv)
     test_a_start_stays_on_ties(seed);
     test_any_start_is_improved(seed);
     test_the_first_of_a_long_start_are_taken(seed);
-    test_constraints_are_kept(seed);
+    test_constraints_hold(seed);
     test_a_conflict_is_left_out(seed);
     test_a_target(seed);
     test_threads(seed);
