@@ -439,8 +439,8 @@ typedef struct murk_save_options {
     size_t size;         /* sizeof(murk_save_options) */
     const char *exports; /* words with commas between, and blanks if wanted:
                           * fields, photons, surfaces; of a plan also matrix,
-                          * or-library, lp; studies and fits refuse it and
-                          * voxel_m */
+                          * or-library, lp; of the steps of a timeline also
+                          * light; studies and fits refuse it and voxel_m */
     const char *voxel_m; /* largest edge of exported voxels and of pieces of
                           * surfaces [m], "0.5"; NULL: some 100,000 voxels, and
                           * pieces of some five photons */
@@ -1001,6 +1001,47 @@ murk_status murk_plan_repeat_merge(murk_plan *plan, uint64_t runs,
 murk_status murk_plan_save(murk_plan *plan, const char *folder,
                            const murk_save_options *options,
                            const murk_fields **fields, murk_error *error);
+
+/* ---- follow ---- */
+
+typedef struct murk_follow murk_follow;
+
+/* Follows a scene through the steps of its timeline. Each step is the scene at
+ * its time, as with the key timeline.at_s, and its plan begins at that of the
+ * step before, as with the key placement.start_plan, unless the method is
+ * greedy; so a step equals a plan of the scene with these keys in every bit.
+ * folder: where murk_follow_next() saves the plan of each step, in steps/NNNN,
+ * and from which it takes the steps that an earlier run of the same scene has
+ * finished; NULL: nothing is saved. options: described at murk_save_options;
+ * exports may also name `light`, without which the steps have no light.murk.
+ * Folder, options and scene are copied. Fails with MURK_BAD_VALUE if the scene
+ * has no timeline, if it has placement.over, or if murk_follow_save() would
+ * refuse the folder. */
+murk_status murk_follow_create(murk_follow **out, murk_scene *scene,
+                               const char *folder,
+                               const murk_save_options *options,
+                               murk_error *error);
+void murk_follow_destroy(murk_follow *follow);
+
+/* Makes the next step. *row: the fields of its line in follow.csv, until the
+ * next call; NULL once all steps are made. A step whose scene is wrong at that
+ * time has no plan, and its field `failed` says why; the next step then begins
+ * at the last plan that was made. Fails with MURK_INTERRUPTED if the call is
+ * cancelled or asked to finish, with MURK_RUN_FAILED if the step cannot be
+ * saved, and with MURK_NO_MEMORY; the same step can be tried again. */
+murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
+                             murk_error *error);
+
+/* *fields: those of follow.json. Fails with MURK_NO_MEMORY. */
+murk_status murk_follow_fields(murk_follow *follow, const murk_fields **fields,
+                               murk_error *error);
+
+/* Writes follow.json, follow.csv, a row a step, moves.csv, a row a change of a
+ * sensor, scene.resolved.yaml, and with exports that viewers show follow.pvd,
+ * for the steps made so far, into the folder. Fails with MURK_BAD_VALUE,
+ * MURK_RUN_FAILED or MURK_INTERRUPTED, as described at murk_save_options. */
+murk_status murk_follow_save(murk_follow *follow, const murk_fields **fields,
+                             murk_error *error);
 
 /* ---- study ---- */
 

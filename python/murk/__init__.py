@@ -18,10 +18,10 @@ from ._library import lib as _lib
 from ._library import string as _string
 from ._picture import Picture
 from ._plan import Coverage, Plan
-from ._results import Result, Study, read_keys, reference, report, study
+from ._results import Follow, Result, Study, read_keys, reference, report, study
 from ._scene import Fit, Scene
 
-__all__ = ["Scene", "World", "Light", "Batch", "Tally", "Coverage", "Plan", "Picture", "Study", "Fit", "Result", "Context",
+__all__ = ["Scene", "World", "Light", "Batch", "Tally", "Coverage", "Plan", "Picture", "Study", "Follow", "Fit", "Result", "Context",
            "Error", "Interrupted", "study", "report", "reference", "read_keys", "version"]
 
 

@@ -5,7 +5,7 @@ import json
 import os
 import re
 import tempfile
-from typing import Any, Mapping, Sequence
+from typing import Any, Callable, Mapping, Sequence
 
 from ._context import Context, default_context
 from ._library import Error, Path, c_text, call, call_in, call_long, ffi, lib, string, yaml_of
@@ -229,6 +229,33 @@ class Study(Fielded):
         Example: `study.report("study.html")`.
         """
         return report_of(self, page)
+
+
+class Follow(Fielded):
+    """The steps of a timeline: `result` has the fields of follow.json, each of which is an attribute, too.
+
+    `steps` is a list with the columns of follow.csv. Pickles with its fields. Source: `murk follow`.
+
+    Example: `[step.coverage for step in scene.follow().steps]`.
+    """
+
+    def __init__(self, scene: Any, folder: Path | None, each: Callable[[Result], object] | None, exports: Sequence[str],
+                 replace: bool) -> None:
+        self.context = scene.context
+        out, row = ffi.new("murk_follow **"), ffi.new("const murk_fields **")
+        words = c_text(",".join(exports)) if exports else ffi.NULL  # lives as long as the call
+        options = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "exports": words,
+                                                  "replaces": replace})
+        call_long(self.context, lib.murk_follow_create, out, handle_of(scene), c_text(folder), options)
+        self.c = ffi.gc(out[0], lib.murk_follow_destroy)
+        call_long(self.context, lib.murk_follow_next, self.c, row)
+        while row[0] != ffi.NULL:
+            if each:
+                each(result_in(row))
+            call_long(self.context, lib.murk_follow_next, self.c, row)
+        self.result = result_of(lib.murk_follow_fields, self.c)
+        if folder is not None:
+            call_long(self.context, lib.murk_follow_save, self.c, ffi.NULL)
 
 
 def study(path: Path, folder: Path | None = None, context: Context | None = None,

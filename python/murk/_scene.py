@@ -14,7 +14,7 @@ from ._library import DICT, Error, Path, c_text, call_in, call_long, ffi, from_n
 from ._light import Batch, Light, World
 from ._picture import Picture, method_code
 from ._plan import Coverage, Plan
-from ._results import Fielded, Study, report_of, result_of, save
+from ._results import Fielded, Follow, Result, Study, report_of, result_of, save
 
 Bounds = Tuple[Union[float, None], Union[float, None]]
 Sensors = Union[Path, Iterable[Mapping[str, Any]]]
@@ -279,6 +279,20 @@ class Scene:
         Example: `plan = scene.place()`.
         """
         return self.world().place()
+
+    def follow(self, folder: Path | None = None, each: Callable[[Result], object] | None = None,
+               exports: Sequence[str] = (), replace: bool = False) -> Follow:
+        """Makes a plan for each step of the timeline: Follow.
+
+        Each step is the scene at its time (key `timeline.at_s`), and its plan begins at that of the step before, unless
+        `placement.method` is greedy. folder: keeps the files of each step, in steps/NNNN, and the tables; finished steps
+        are not made again by the next call. each: a function of the fields of each step, as it is done; what it raises
+        ends the call. exports: as in `Plan.save()`, and "light". replace: as in `Plan.save()`. A step whose scene is
+        wrong at its time has the reason in its field `failed`. Raises Error if the scene has no timeline.
+
+        Example: `scene.follow("out", each=lambda step: print(step.t_s, step.coverage))`.
+        """
+        return Follow(self, folder, each, exports, replace)
 
     def sense(self, sensors: Sensors) -> Coverage:
         """Traces the light and measures given sensors: Coverage; sensors as in `Light.sense()`. Raises Error.

@@ -137,6 +137,32 @@ const murk_command murk_commands[] = {
               {"scene.resolved.yaml", "the base scene as resolved"},
               {"fluence_0001.vdb", "of the output fluence_vdb, by row"},
               {"rows/", "finished rows, to go on from"}}},
+    {"follow", "SCENE [-o DIR]", "a scene with a timeline, step by step",
+     "Makes a plan for each step of the scene's timeline. Each step is the "
+     "scene at its time (--at), and the search of its plan begins at the plan "
+     "of the step before (--start), unless the method is greedy. Prints a row "
+     "a step as it is done. With -o writes DIR/follow.csv, a row a step with "
+     "coverage, its standard error and a bound, DIR/moves.csv, a row for each "
+     "sensor that is added, moves, is removed or fails, DIR/steps/0000 and so "
+     "on, each with the files of murk place, and, last, DIR/follow.json. Steps "
+     "that are done are kept: the same command goes on where it was stopped. A "
+     "step whose scene is wrong at its time, such as one whose file is "
+     "missing, "
+     "is told in the column failed, the others go on, and the command ends "
+     "with 1. Fields, surfaces and photons of --export are listed in "
+     "DIR/follow.pvd, which ParaView plays.",
+     murk_command_follow, .formats = "murk-scene murk-results",
+     .example = {{"murk follow scenes/smoke-hall-moving.yaml -o out",
+                  "A hall in which a crane carries its load past the plume of "
+                  "a fire."}},
+     .file = {{"follow.json", "the steps, with their figures"},
+              {"follow.csv", "a row a step"},
+              {"moves.csv", "a row a change of a sensor"},
+              {"follow.pvd", "the exports of all steps, for ParaView"},
+              {"scene.resolved.yaml",
+               "the scene as resolved, at its first step"},
+              {"steps/NNNN/", "the files of murk place, by step from 0000; "
+                              "light.murk with --export light alone"}}},
     {"fit", "SCENE --data FILE --free KEY[,KEY...] [-o DIR]",
      "calibrate: which medium was it?",
      "Finds the values of scene keys that bring the model to what was "

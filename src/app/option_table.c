@@ -22,13 +22,13 @@ static const char *const PROGRESSES[] = {"never", "auto", "always", NULL};
 
 const murk_option murk_option_table[] = {
     {"--out", "-o", "DIR",
-     "trace place sense render study fit report media merge",
+     "trace place sense render study follow fit report media merge",
      "write the results into this folder; without it the summary is printed "
      "and nothing is written (media: the file of a --profile's grid; render: "
      "the image, else SCENE.exr; report: the page, else DIR/report.html)",
      OWN(murk_option_out), .is_left_out = true},
     {"--force", NULL, NULL,
-     "check trace place sense render study fit report media merge",
+     "check trace place sense render study follow fit report media merge",
      "replace files that murk did not write, or that were edited since; what a "
      "run reads is never replaced",
      .kind = MURK_OPTION_SWITCH, MEMBER(force), .is_left_out = true},
@@ -38,23 +38,25 @@ const murk_option murk_option_table[] = {
      "threads, 1..256; default: all processors. The results are the same for "
      "any number",
      COUNT(1, 256), MEMBER(threads), .is_left_out = true},
-    {"--emit", NULL, "N", "check trace place sense render study fit replay",
+    {"--emit", NULL, "N",
+     "check trace place sense render study follow fit replay",
      "emit N photons, 1..4294967295 (1e6 is a million); replaces emit or store "
      "of the scene",
      COUNT(1, UINT32_MAX), .key = "photons.emit"},
-    {"--store", NULL, "N", "check trace place sense render study fit replay",
+    {"--store", NULL, "N",
+     "check trace place sense render study follow fit replay",
      "emit until N photons are stored; replaces emit or store of the scene",
      COUNT(1, UINT32_MAX), .key = "photons.store"},
     {"--at", NULL, "T", "check trace place sense render study fit replay",
      "the scene at this time of its timeline [s]; default: the first step",
      .kind = MURK_OPTION_TEXT, .key = "timeline.at_s"},
-    {"--count", NULL, "N", "check place",
+    {"--count", NULL, "N", "check place follow",
      "number of sensors to place; replaces the scene's target",
      COUNT(1, 1000000), .key = "sensors.count"},
-    {"--target", NULL, "C", "check place",
+    {"--target", NULL, "C", "check place follow",
      "the fewest sensors that cover C, 0..1; replaces the scene's count",
      .kind = MURK_OPTION_TEXT, .key = "sensors.target"},
-    {"--budget", NULL, "B", "check place",
+    {"--budget", NULL, "B", "check place follow",
      "the best sensors whose costs come to B at most; replaces the scene's "
      "count",
      .kind = MURK_OPTION_TEXT, .key = "sensors.budget"},
@@ -71,13 +73,14 @@ const murk_option murk_option_table[] = {
      "choose columns of this coverage matrix, CSV or OR-Library text, in place "
      "of a scene; with --count, --target or --budget",
      .kind = MURK_OPTION_TEXT, MEMBER(matrix), .part = MURK_OPTION_AS_FILE},
-    {"--export", NULL, "LIST", "trace place sense",
+    {"--export", NULL, "LIST", "trace place sense follow",
      "write these into DIR, too, with commas between: fields (coverage, "
      "optical depth, extinction and photon density as .vdb and .vti), photons "
      "(photons.ply), surfaces (surfaces.ply and .vtp); and of place alone "
      "matrix (matrix.csv, the coverage matrix, which --matrix reads, and "
      "candidates.csv), or-library (matrix.txt, the same as OR-Library text), "
-     "lp (problem.lp, the problem for an outside solver)",
+     "lp (problem.lp, the problem for an outside solver); of follow also light "
+     "(light.murk), which the others write in any case",
      OWN(murk_option_exports), .setting = "exports"},
     {"--repeat", NULL, "N", "place",
      "do the whole job with N seeds, from --seed on: how far results differ, "

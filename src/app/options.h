@@ -119,9 +119,9 @@ const murk_command *murk_command_find(const char *name);
 /* The commands, each in its own file. */
 murk_command_run murk_command_check, murk_command_trace, murk_command_place,
     murk_command_sense, murk_command_render, murk_command_study,
-    murk_command_fit, murk_command_report, murk_command_replay,
-    murk_command_media, murk_command_help, murk_command_schema,
-    murk_command_init, murk_command_merge;
+    murk_command_follow, murk_command_fit, murk_command_report,
+    murk_command_replay, murk_command_media, murk_command_help,
+    murk_command_schema, murk_command_init, murk_command_merge;
 
 /* ---- a command line as given ---- */
 

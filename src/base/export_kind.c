@@ -16,8 +16,8 @@ static const char blanks[] = " \t";
 murk_status murk_exports_read(unsigned *out, const char *words,
                               const char *where, murk_error *err)
 {
-    static const char *const known[] = {"matrix", "or-library", "lp",
-                                        "fields", "photons",    "surfaces"};
+    static const char *const known[] = {
+        "matrix", "or-library", "lp", "fields", "photons", "surfaces", "light"};
     /* Word by word between commas; bit i of the result is word i. */
     for (const char *at = words;;) {
         const size_t length = strcspn(at, ",");
@@ -38,11 +38,12 @@ murk_status murk_exports_read(unsigned *out, const char *words,
             char cut[SHOWN_SIZE], shown[SHOWN_SIZE];
             snprintf(cut, sizeof cut, "%.*s", (int)letters, word);
             murk_words_show(shown, sizeof shown, cut);
-            return murk_fail(err, MURK_BAD_VALUE, where,
-                             "\"%s\" is not an export; allowed are matrix, "
-                             "or-library, lp, fields, photons and surfaces, "
-                             "with commas between",
-                             shown);
+            return murk_fail(
+                err, MURK_BAD_VALUE, where,
+                "\"%s\" is not an export; allowed are matrix, "
+                "or-library, lp, fields, photons, surfaces and light, "
+                "with commas between",
+                shown);
         }
         *out |= bit;
         if (!at[length]) {

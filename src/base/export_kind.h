@@ -12,7 +12,9 @@ typedef enum murk_export {
     MURK_EXPORT_LP = 4,
     MURK_EXPORT_FIELDS = 8,
     MURK_EXPORT_PHOTONS = 16,
-    MURK_EXPORT_SURFACES = 32
+    MURK_EXPORT_SURFACES = 32,
+    MURK_EXPORT_LIGHT = 64 /* light.murk, which all but murk follow write in
+                            * any case */
 } murk_export;
 
 /* The exports of a plan alone, of a scene or of a matrix; all others need a

@@ -121,6 +121,7 @@ static void print_track(const murk_scene_desc *scene, const murk_scene_track *t)
                    pattern ? murk_path_name(pattern) : "no files",
                    t->first_frame, t->from_s, t->every_s, between);
     }
+    /* Keyframes, lights that move along, and a failure. */
     if (t->keyframes > 0) {
         murk_print(": %zu keyframe%s from %.6g to %.6g s, %s between",
                    t->keyframes, t->keyframes == 1 ? "" : "s",

@@ -356,7 +356,7 @@ murk_found murk_sampler_trace(murk_sampler *s, uint64_t number, int band,
     s->is_connected = s->is_settled = s->is_stopped = s->has_wrapped = false;
     s->meets_light = false;
     s->radiance[SURFACE] = s->radiance[VOLUME] = 0;
-    murk_follow(s->follower, number, band, from, sight);
+    murk_follow_photon(s->follower, number, band, from, sight);
     const double square = s->own_index * s->own_index;
     return (murk_found){.surface = square * s->radiance[SURFACE],
                         .volume = square * s->radiance[VOLUME],

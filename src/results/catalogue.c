@@ -6,6 +6,7 @@
 #include "results/explore.h"
 #include "results/exports.h"
 #include "results/fit.h"
+#include "results/follow.h"
 #include "results/ledger.h"
 #include "results/matrix.h"
 #include "results/plan.h"
@@ -27,6 +28,7 @@ static const result_file files[] = {
     {"ledger.json", .list = murk_results_list_ledger},
     {"study.json", .list = murk_results_list_study},
     {"fit.json", .list = murk_results_list_fit},
+    {"follow.json", .list = murk_results_list_follow},
     {"sensors.csv", .item = murk_results_list_place},
     {"coverage.csv", .item = murk_results_list_sensor},
     {"tallies.csv", .item = murk_results_list_tally},
@@ -34,7 +36,9 @@ static const result_file files[] = {
     {"repeat.csv", .item = murk_results_list_run},
     {"regret.csv", .item = murk_results_list_use},
     {"candidates.csv", .item = murk_results_list_candidate},
-    {"fit.csv", .item = murk_results_list_fit_row}};
+    {"fit.csv", .item = murk_results_list_fit_row},
+    {"follow.csv", .item = murk_results_list_follow_row},
+    {"moves.csv", .item = murk_results_list_move}};
 
 void murk_results_catalogue(FILE *to)
 {

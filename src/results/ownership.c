@@ -16,7 +16,7 @@
 
 const char *const murk_main_jsons[] = {
     "plan.json", "coverage.json", "ledger.json", "study.json",
-    "fit.json",  "predict.json",  NULL};
+    "fit.json",  "predict.json",  "follow.json", NULL};
 
 /* ---- one JSON ---- */
 

@@ -19,6 +19,10 @@ murk_status murk_add_plan_files(murk_session *session,
     murk_status status =
         conditions ? murk_add_condition_files(session, plan, conditions, err)
                    : murk_session_add_all_of_light(session, err);
+    if (!status && session->settings.own_input) {
+        status = murk_results_note(&session->results,
+                                   session->settings.own_input, err);
+    }
     if (!status) {
         status = murk_results_add_csv(&session->results, "sensors.csv",
                                       murk_results_list_place, &sensors,

@@ -144,6 +144,9 @@ murk_status murk_session_add_scene(murk_session *session, murk_error *err)
 
 murk_status murk_session_add_light(murk_session *session, murk_error *err)
 {
+    if (session->settings.leaves_out_light) {
+        return murk_session_add_scene(session, err);
+    }
     murk_progress_begin_group("write light", 0, "");
     const murk_status status =
         murk_results_add_light(&session->results, MURK_MAP_FILE_NAME,

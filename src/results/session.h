@@ -15,7 +15,11 @@ typedef struct murk_session_settings {
     bool force;         /* replaces files of the folder that are not murk's,
                            too */
     unsigned threads;
-    unsigned exports;  /* murk_export bits */
+    unsigned exports;      /* murk_export bits */
+    bool leaves_out_light; /* light.murk is not written */
+    const char *own_input; /* a file of the folder that murk has written before
+                            * and read, and that belongs to the results of a
+                            * plan; NULL: none */
     const char *voxel; /* edge of exported voxels and pieces, as typed; NULL:
                           not given */
     const char *light; /* file that the light is read from; NULL: it is

@@ -7,6 +7,7 @@
 
 #include "scene/value.h"
 
+/* Some 30 years: longer times are mistakes. */
 #define SECONDS .min = -1e9, .max = 1e9, .unit = "s"
 
 /* ---- keyframes ---- */
@@ -72,6 +73,8 @@ static murk_status check_members(murk_key_reader *walk,
                                   "has t_s alone, must say what "
                                   "changes");
         }
+        /* Keys that suit the kind of the track, and are those of the first
+         * keyframe. */
         for (size_t k = 0; k < frame->n; ++k) {
             if (!suits(track->kind, frame->key[k])) {
                 return murk_walk_fail(walk, frame,
@@ -207,6 +210,7 @@ static murk_status check_times(murk_key_reader *walk, const murk_yaml *map,
     if (times->n > 0) {
         return MURK_OK;
     }
+    /* Without a list: from, to and every. */
     const char *missing = !murk_yaml_get(map, "to_s")      ? "to_s"
                           : !murk_yaml_get(map, "every_s") ? "every_s"
                                                            : NULL;

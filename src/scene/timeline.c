@@ -16,8 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PATH_SIZE 400
-#define NAMES_MAX 64 /* of items, from which a message suggests one */
+#define PATH_SIZE 400 /* of a key; names of 63 bytes and some words */
+#define NAMES_MAX 64  /* of items, from which a message suggests one */
 
 /* Times that differ by less than this share of a step are the same: times of
  * steps and of files are computed from decimal fractions. */
@@ -211,6 +211,7 @@ static murk_status move_light(const changes *c, murk_yaml *light,
             node->kind != MURK_YAML_LIST || node->n != 3) {
             continue;
         }
+        /* A position is moved and turned, a direction only turned. */
         const murk_vec3 old = vector_or_zero(node),
                         moved = key->is_position
                                     ? murk_affine_point(motion, old)
@@ -362,6 +363,7 @@ static murk_status choose_files(changes *c, const murk_scene_track *track)
                                has_any ? media->n : 0)
                 .text);
     }
+    /* The first file, then that of the time. */
     murk_status status = find_first(c, track, medium, &first);
     murk_scene_track from = *track;
     from.first_frame = first;
@@ -399,8 +401,9 @@ static murk_status set_key(changes *c, const murk_scene_track *track)
                : put_member(c, track, "value", track->key);
 }
 
-/* Moves a fixed sensor, or marks it as failed. Tracks of the other sensors of a
- * plan concern plans that follow each other (murk follow). */
+/* Moves a fixed sensor, or marks it as failed. Of the other sensors of a plan
+ * the scene knows no more than how many have failed (murk_timeline_finish()).
+ */
 static murk_status set_sensor(changes *c, const murk_scene_track *track)
 {
     static const char *const members[] = {"position_m", "heading_deg",
@@ -411,7 +414,12 @@ static murk_status set_sensor(changes *c, const murk_scene_track *track)
     murk_status status = MURK_OK;
     char path[PATH_SIZE];
     if (track->sensor >= n) {
-        return MURK_OK;
+        return track->keyframes == 0
+                   ? MURK_OK
+                   : murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                               "sensor: %zu has keyframes, which only the %zu "
+                               "of sensors.fixed may have",
+                               (size_t)track->sensor, n);
     }
     for (int i = 0; i < 3 && track->keyframes > 0 && !status; ++i) {
         snprintf(path, sizeof path, "sensors.fixed.%zu.%s",
@@ -421,6 +429,7 @@ static murk_status set_sensor(changes *c, const murk_scene_track *track)
     if (status || !track->fails || c->timeline->at_s < track->fails_at_s) {
         return status;
     }
+    /* It has failed by now. */
     murk_yaml *failed = murk_yaml_make(MURK_YAML_SCALAR, c->root->source);
     if (failed && !murk_yaml_set_text(failed, "true")) {
         murk_yaml_destroy(failed);
@@ -487,6 +496,17 @@ murk_status murk_timeline_apply(murk_yaml *root, murk_error *err)
     return status;
 }
 
+/* The number of sensors that have failed. */
+static uint64_t count_failed(const murk_scene_timeline *timeline)
+{
+    uint64_t failed = 0;
+    for (size_t i = 0; i < timeline->tracks; ++i) {
+        const murk_scene_track *track = &timeline->track[i];
+        failed += track->fails && timeline->at_s >= track->fails_at_s;
+    }
+    return failed;
+}
+
 void murk_timeline_finish(murk_scene_desc *scene)
 {
     murk_scene_sensors *sensors = &scene->sensors;
@@ -502,4 +522,6 @@ void murk_timeline_finish(murk_scene_desc *scene)
         }
     }
     sensors->n_fixed = n;
+    const uint64_t failed = count_failed(&scene->timeline);
+    sensors->count -= failed < sensors->count ? failed : sensors->count;
 }

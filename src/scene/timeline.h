@@ -18,8 +18,8 @@
 murk_status murk_timeline_apply(murk_yaml *root, murk_error *err);
 
 /* For the structs of a scene that was read from such a tree: advances the
- * clocks of the scene and of its lights by at_s, and removes the fixed sensors
- * that have failed. */
+ * clocks of the scene and of its lights by at_s, removes the fixed sensors that
+ * have failed, and lowers sensors.count by the number of all that have. */
 void murk_timeline_finish(murk_scene_desc *scene);
 
 /* The number of steps, at least 1, and the time of step i [s]. */

@@ -61,8 +61,8 @@ void murk_follower_destroy(murk_follower *follower)
     }
 }
 
-void murk_follow(murk_follower *follower, uint64_t number, int band,
-                 murk_vec3 origin, murk_vec3 direction)
+void murk_follow_photon(murk_follower *follower, uint64_t number, int band,
+                        murk_vec3 origin, murk_vec3 direction)
 {
     follower->trace.events_max = follower->events_max;
     const murk_ray ray = {.origin = origin, .direction = direction};

@@ -35,8 +35,8 @@ void murk_follower_destroy(murk_follower *follower); /* NULL is fine */
  * without surfaces, bounded regions and lamps in one segment and one wrap
  * (transport/jump.h). The origin lies within the domain. The emission is not
  * reported. */
-void murk_follow(murk_follower *follower, uint64_t number, int band,
-                 murk_vec3 origin, murk_vec3 direction);
+void murk_follow_photon(murk_follower *follower, uint64_t number, int band,
+                        murk_vec3 origin, murk_vec3 direction);
 
 /* Called from the event sink: ends the ray, which is then reported as lost with
  * MURK_LOSS_EVENTS unless it has ended already. */

@@ -42,6 +42,7 @@ static void write_frame(int number)
             }
         }
     }
+    /* Write it with voxels of a quarter of a metre. */
     char path[96];
     murk_error err = {0};
     const murk_grid_field field = {"density", value, NULL};

@@ -9,7 +9,7 @@ import json
 import pathlib
 import sys
 
-MAIN = ("plan.json", "coverage.json", "study.json", "fit.json", "predict.json", "ledger.json")
+MAIN = ("plan.json", "coverage.json", "study.json", "follow.json", "fit.json", "predict.json", "ledger.json")
 
 
 def strangers(folder):

@@ -196,8 +196,8 @@ static void test_sensors_drift_and_fail(void)
     const char text[] = AT(
         "{sensor: 0, fails_at_s: 6, keyframes: [{t_s: 0, position_m: [1, 1, 1]}"
         ", {t_s: 4, position_m: [3, 1, 1]}]}, {sensor: 9, fails_at_s: 0}")
-        SENSORS
-        "fixed: [{position_m: [1, 1, 1]}, {position_m: [4, 4, 4]}]}\n" LAMP;
+        SENSORS "count: 5, fixed: [{position_m: [1, 1, 1]}, {position_m: [4, "
+                "4, 4]}]}\n" LAMP;
     murk_scene_desc *scene = read_at(text, "2");
     CHECK(scene->sensors.n_fixed == 2);
     CHECK(scene->sensors.fixed[0].position.x == 2);
@@ -209,8 +209,9 @@ static void test_sensors_drift_and_fail(void)
     scene = read_at(text, "6");
     CHECK(scene->sensors.n_fixed == 1);
     CHECK(scene->sensors.fixed[0].position.x == 4);
+    CHECK(scene->sensors.count == 3); /* sensors 0 and 9 have failed */
     murk_scene_desc *again = read_at(scene->resolved, NULL);
-    CHECK(again->sensors.n_fixed == 1);
+    CHECK(again->sensors.n_fixed == 1 && again->sensors.count == 3);
     murk_scene_desc_destroy(again);
     murk_scene_desc_destroy(scene);
 }
@@ -340,6 +341,11 @@ static void test_refusals(void)
          VALUE, "fog.yaml:3:105: lights.0.power_w", "-1, must be 0..1e15 W"},
     };
     check_refusals(refusals, sizeof refusals / sizeof *refusals);
+    CHECK_REFUSED(AT("{sensor: 1, keyframes: [{t_s: 0, position_m: [1, 1, 1]}]"
+                     "}") SENSORS "fixed: [{position_m: [1, 1, 1]}]}\n" LAMP,
+                  VALUE, "fog.yaml:3:54: timeline.tracks.0",
+                  "sensor: 1 has keyframes, which only the 1 of sensors.fixed "
+                  "may have");
     /* Before the first file of a sequence there is no grid. */
     CHECK_REFUSED(AT("{medium: plume, from_s: 3, every_s: 1}") PLUME LAMP,
                   VALUE, "fog.yaml:3:54: timeline.tracks.0",

@@ -1,0 +1,720 @@
+/* Following a scene through the steps of its timeline: each step is the scene
+ * at that time, with a plan that is improved from the plan of the step before,
+ * as murk place --at T --start PLAN makes it. A step whose plan lies in the
+ * folder already, with the same identity, is not made again. */
+#include "api/save.h"
+#include "api/scene.h"
+
+#include "base/file.h"
+#include "base/log.h"
+#include "base/number.h"
+#include "base/progress.h"
+#include "cases/sequence.h"
+#include "plan/placement_in.h"
+#include "results/follow.h"
+#include "results/identity.h"
+#include "results/plan.h"
+#include "scene/override.h"
+#include "scene/timeline.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define STEP_NAME  "steps/%04zu"
+#define START_FILE "start.csv"
+
+struct murk_follow {
+    murk_scene *scene; /* a copy of the caller's */
+    char *folder;      /* NULL: none */
+    murk_save_options save;
+    char *command, *asked, *exports, *voxel_m; /* of `save` */
+    size_t steps, next, reused; /* of the timeline; done; not made again */
+    murk_sequence sequence;
+    bool has_plan; /* the sequence has the sensors of an earlier step */
+    murk_session session;
+    murk_fields row, fields, saved; /* row: of the last step */
+};
+
+/* ---- making ---- */
+
+/* Makes *out a scene of the same text, keys and files in memory. */
+static murk_status copy_scene(murk_scene **out, const murk_scene *scene,
+                              murk_error *err)
+{
+    murk_scene *copy = NULL;
+    murk_status status =
+        murk_scene_parse(&copy, scene->context, scene->text, scene->name, err);
+    if (!status) {
+        /* Keys and files in memory. */
+        copy->is_file = scene->is_file;
+        copy->set = calloc(scene->n + 1, sizeof *copy->set);
+        status = copy->set && murk_memory_copy(&copy->files, &scene->files)
+                     ? MURK_OK
+                     : murk_no_memory(err, scene->name, "for the scene");
+    }
+    for (size_t i = 0; i < scene->n && !status; ++i) {
+        const char *text = scene->set[i].text;
+        char *key = strndup(text, strcspn(text, "="));
+        status = key ? murk_override_make(&copy->set[copy->n], key,
+                                          text + strlen(key) + 1, err)
+                     : murk_no_memory(err, scene->name, "for the scene");
+        copy->n += !status;
+        free(key);
+    }
+    if (status) {
+        murk_scene_destroy(copy);
+        return status;
+    }
+    *out = copy;
+    return MURK_OK;
+}
+
+static bool copy_text(char **to, const char **member, const char *text)
+{
+    *to = text ? strdup(text) : NULL;
+    *member = *to;
+    return !text || *to;
+}
+
+static murk_status take_options(murk_follow *follow, const char *folder,
+                                const murk_save_options *options,
+                                murk_error *err)
+{
+    const murk_status status = murk_save_check_options(options, err);
+    if (status) {
+        return status;
+    }
+    const murk_save_options known = murk_save_known(options);
+    follow->save = known;
+    follow->save.size = sizeof follow->save;
+    const bool is_whole =
+        copy_text(&follow->command, &follow->save.command, known.command) &&
+        copy_text(&follow->asked, &follow->save.asked, known.asked) &&
+        copy_text(&follow->exports, &follow->save.exports, known.exports) &&
+        copy_text(&follow->voxel_m, &follow->save.voxel_m, known.voxel_m);
+    follow->folder = folder ? strdup(folder) : NULL;
+    return is_whole && (follow->folder || !folder)
+               ? MURK_OK
+               : murk_no_memory(err, "", "for the steps");
+}
+
+/* Makes the scene at a time; `start`: the file of the plan at which the search
+ * begins, or NULL. */
+static murk_status scene_at(murk_scene **out, const murk_follow *follow,
+                            double t_s, const char *start, murk_error *err)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_number_print(text, t_s);
+    murk_status status = copy_scene(out, follow->scene, err);
+    if (!status) {
+        status = murk_scene_set(*out, "timeline.at_s", text, err);
+    }
+    return status || !start
+               ? status
+               : murk_scene_set(*out, "placement.start_plan", start, err);
+}
+
+static murk_status read_timeline(murk_follow *follow, murk_error *err)
+{
+    murk_scene_desc *desc = NULL;
+    murk_call call =
+        murk_call_begin(follow->scene->context, &follow->scene->files, err);
+    murk_status status =
+        murk_scene_describe(&desc, follow->scene, &call.failure);
+    if (!status && !desc->timeline.given) {
+        status = murk_fail(&call.failure, MURK_BAD_VALUE, desc->path,
+                           "has no timeline, which says the times of the "
+                           "steps");
+    }
+    /* Conditions have plans of their own. */
+    if (!status && desc->placement.over != MURK_SCENE_OBJECTIVE_NONE) {
+        status = murk_fail(&call.failure, MURK_BAD_VALUE, desc->placement.where,
+                           "over: a plan for several conditions does not "
+                           "follow a timeline; must be null");
+    }
+    if (!status) {
+        follow->steps = murk_timeline_steps(&desc->timeline);
+        murk_sequence_init(&follow->sequence, desc->sensors.n_fixed);
+    }
+    follow->session =
+        (murk_session){.settings.threads = follow->scene->context->threads,
+                       .run.threads = follow->scene->context->threads,
+                       .begun_s = murk_clock_s(),
+                       .scene = desc};
+    return murk_call_end(&call, status);
+}
+
+/* Begins the folder, and checks the files that the run writes into it. */
+static murk_status begin_files(murk_session *session, murk_error *err)
+{
+    static const char *const names[] = {"follow.json", "follow.csv",
+                                        "moves.csv", NULL};
+    const murk_status status =
+        murk_results_begin(&session->results, session->settings.folder,
+                           session->settings.force, err);
+    return status ? status : murk_session_expect(session, names, err);
+}
+
+/* Checks the exports and that the results may be written, before any step. */
+static murk_status check_files(murk_follow *follow, murk_error *err)
+{
+    murk_call call =
+        murk_call_begin(follow->scene->context, &follow->scene->files, err);
+    murk_session session = follow->session;
+    murk_status status =
+        murk_save_set(&session, follow->folder, &follow->save, &call.failure);
+    follow->session.settings.exports = session.settings.exports;
+    if (!status) {
+        status = begin_files(&session, &call.failure);
+    }
+    murk_results_end(&session.results);
+    return murk_call_end(&call, status);
+}
+
+murk_status murk_follow_create(murk_follow **out, murk_scene *scene,
+                               const char *folder,
+                               const murk_save_options *options,
+                               murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!out || !scene) {
+        return murk_call_refuse(error, "out or scene is NULL");
+    }
+    /* Copy what the caller gives, then judge it. */
+    murk_follow *follow = calloc(1, sizeof *follow);
+    murk_status status =
+        follow ? copy_scene(&follow->scene, scene, error)
+               : murk_call_refuse(error, "out of memory for the steps");
+    if (!status) {
+        status = take_options(follow, folder, options, error);
+    }
+    if (!status) {
+        status = read_timeline(follow, error);
+    }
+    if (!status) {
+        status = check_files(follow, error);
+    }
+    if (status) {
+        murk_follow_destroy(follow);
+        return status;
+    }
+    *out = follow;
+    return MURK_OK;
+}
+
+void murk_follow_destroy(murk_follow *follow)
+{
+    if (!follow) {
+        return;
+    }
+    murk_sequence_release(&follow->sequence);
+    murk_fields_release(&follow->row);
+    murk_fields_release(&follow->fields);
+    murk_fields_release(&follow->saved);
+    murk_scene_desc_destroy(follow->session.scene);
+    murk_scene_destroy(follow->scene);
+    free(follow->command);
+    free(follow->asked);
+    free(follow->exports);
+    free(follow->voxel_m);
+    free(follow->folder);
+    free(follow);
+}
+
+/* ---- the plan at which the search of a step begins ---- */
+
+/* The path of a file of a step. The caller frees it; NULL when out of memory or
+ * without a folder. */
+static char *step_path(const murk_follow *follow, size_t step, const char *name)
+{
+    char part[64];
+    snprintf(part, sizeof part, STEP_NAME "%s%s", step, name ? "/" : "",
+             name ? name : "");
+    return follow->folder ? murk_path_join(follow->folder, part) : NULL;
+}
+
+/* The sensors of the sequence as the text of a table, as sensors.csv has them;
+ * the caller frees it. NULL when out of memory. */
+static char *start_text(const murk_follow *follow)
+{
+    const murk_sequence *s = &follow->sequence;
+    murk_pose *pose = calloc(s->sensors + 1, sizeof *pose);
+    char *text = NULL;
+    size_t size;
+    FILE *to = pose ? open_memstream(&text, &size) : NULL;
+    for (size_t i = 0; pose && i < s->sensors; ++i) {
+        pose[i] = s->sensor[i].pose;
+    }
+    if (to) {
+        const murk_sensor_results sensors = {
+            .scene = follow->session.scene, .pose = pose, .n = s->sensors};
+        murk_results_csv_heading(to, murk_results_list_place);
+        for (size_t i = 0; i < s->sensors; ++i) {
+            murk_results_csv_line(to, murk_results_list_place, &sensors, i);
+        }
+    }
+    free(pose);
+    if (to && fclose(to)) {
+        free(text);
+        text = NULL;
+    }
+    return text;
+}
+
+/* True if the file has this text. */
+static bool has_text(const char *path, const char *text)
+{
+    char *found = NULL;
+    size_t size = 0;
+    const bool has =
+        !murk_file_read_own(&found, &size, path, MURK_YAML_MAX_BYTES, NULL) &&
+        strcmp(found, text) == 0;
+    free(found);
+    return has;
+}
+
+/* Writes the text to start.csv in the folder of a step, unless a run that was
+ * stopped there has left it. */
+static murk_status write_start(const murk_follow *follow, size_t step,
+                               const char *path, const char *text,
+                               murk_error *err)
+{
+    char *folder = step_path(follow, step, NULL);
+    murk_results results = {0};
+    murk_status status =
+        folder ? MURK_OK : murk_no_memory(err, "", "for the start of a step");
+    if (status || has_text(path, text)) {
+        free(folder);
+        return status;
+    }
+    status = murk_results_begin(&results, folder, follow->save.replaces, err);
+    if (!status) {
+        status = murk_results_add_text(&results, START_FILE, text, err);
+    }
+    if (!status) {
+        status = murk_results_show(&results, err);
+    }
+    murk_results_end(&results);
+    free(folder);
+    return status;
+}
+
+/* Makes the file at which the search of a step begins: start.csv in the folder
+ * of the step, or without a folder a file in memory. *path, which the caller
+ * frees, is its name; NULL: the step has no start. */
+static murk_status make_start(murk_follow *follow, size_t step, char **path,
+                              murk_error *err)
+{
+    *path = NULL;
+    if (!follow->has_plan ||
+        follow->session.scene->placement.method == MURK_PLACE_GREEDY) {
+        return MURK_OK;
+    }
+    /* The name, and the text. */
+    char *text = start_text(follow);
+    *path = follow->folder ? step_path(follow, step, START_FILE)
+                           : strdup(MURK_MEMORY_PREFIX START_FILE);
+    if (!text || !*path) {
+        free(text);
+        return murk_no_memory(err, "", "for the start of a step");
+    }
+    if (follow->folder) {
+        const murk_status status = write_start(follow, step, *path, text, err);
+        free(text);
+        return status;
+    }
+    const size_t size = strlen(text);
+    murk_memory_file file = {
+        .kind = MURK_MEMORY_TABLE, .data = text, .release = free};
+    murk_checksum(text, size, file.checksum);
+    return murk_memory_add(&follow->scene->files, START_FILE, file, err);
+}
+
+/* ---- a step ---- */
+
+/* A step that is made. */
+typedef struct step_work {
+    size_t number;
+    double t_s;
+    murk_world *world;
+    murk_sequence_row row;
+    murk_pose *pose; /* [poses] sensors of the plan, without the fixed ones */
+    size_t poses;
+} step_work;
+
+static const cJSON *at(const cJSON *root, const char *map, const char *key)
+{
+    return cJSON_GetObjectItem(cJSON_GetObjectItem(root, map), key);
+}
+
+static double number_at(const cJSON *root, const char *map, const char *key)
+{
+    const cJSON *item = at(root, map, key);
+    return cJSON_IsNumber(item) ? item->valuedouble : NAN;
+}
+
+/* Fills the row from the main JSON of a plan. */
+static void fill_row(step_work *step, const cJSON *plan)
+{
+    murk_sequence_row *row = &step->row;
+    const murk_estimate held_out = {
+        number_at(plan, "coverage", "held_out"),
+        number_at(plan, "coverage", "held_out_standard_error")};
+    const murk_estimate in_sample = {
+        number_at(plan, "coverage", "in_sample"),
+        number_at(plan, "coverage", "in_sample_standard_error")};
+    const double emitted = number_at(plan, "photons", "emitted"),
+                 rays = number_at(plan, "placement", "shadow_rays");
+    row->coverage = isfinite(held_out.value) ? held_out : in_sample;
+    row->upper = number_at(plan, "bound", "upper");
+    row->photons_traced = emitted > 0 ? (uint64_t)emitted : 0;
+    row->pairs_looked = rays > 0 ? (uint64_t)rays : 0;
+    const cJSON *seconds = at(plan, "run", "seconds");
+    row->seconds =
+        seconds ? cJSON_GetNumberValue(cJSON_GetObjectItem(seconds, "total"))
+                : NAN;
+}
+
+/* Copies the sensors of a plan, of which the fixed ones come last, and adds up
+ * their costs. */
+static murk_status fill_sensors(step_work *step, const murk_pose *pose,
+                                size_t n, murk_error *err)
+{
+    const murk_scene_sensors *sensors = &step->world->desc->sensors;
+    step->poses = n > sensors->n_fixed ? n - sensors->n_fixed : 0;
+    step->pose = calloc(step->poses + 1, sizeof *step->pose);
+    if (!step->pose) {
+        return murk_no_memory(err, "", "for the sensors of a step");
+    }
+    memcpy(step->pose, pose, step->poses * sizeof *pose);
+    step->row.cost = 0;
+    for (size_t i = 0; i < n; ++i) {
+        step->row.cost += sensors->type[pose[i].type].cost;
+    }
+    return MURK_OK;
+}
+
+/* True if the folder of a step has the files of all exports that are asked
+ * for. */
+static bool has_exports(const murk_follow *follow, size_t step)
+{
+    static const struct {
+        murk_export export;
+        const char *name;
+    } files[] = {{MURK_EXPORT_MATRIX, "matrix.csv"},
+                 {MURK_EXPORT_OR_LIBRARY, "matrix.txt"},
+                 {MURK_EXPORT_LP, "problem.lp"},
+                 {MURK_EXPORT_FIELDS, "fields.vti"},
+                 {MURK_EXPORT_PHOTONS, "photons.vtp"},
+                 {MURK_EXPORT_SURFACES, "surfaces.vtp"},
+                 {MURK_EXPORT_LIGHT, MURK_MAP_FILE_NAME}};
+    bool has_all = true;
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
+        struct stat found;
+        char *path = step_path(follow, step, files[i].name);
+        if (follow->session.settings.exports & files[i].export) {
+            has_all = has_all && path && stat(path, &found) == 0;
+        }
+        free(path);
+    }
+    return has_all;
+}
+
+/* Takes a step from the plan that an earlier run has left in its folder. False
+ * if there is none, or if it is of another scene, version or start, or was cut
+ * short. */
+static bool take_earlier(const murk_follow *follow, step_work *step)
+{
+    char *path = step_path(follow, step->number, "plan.json"), *text = NULL;
+    murk_session session = murk_world_session(step->world);
+    size_t size = 0, n = 0;
+    murk_pose *pose = NULL;
+    cJSON *plan = NULL;
+    if (path &&
+        !murk_file_read_own(&text, &size, path, MURK_YAML_MAX_BYTES, NULL)) {
+        plan = cJSON_Parse(text);
+    }
+    /* It must follow from the same input, be whole, and have all files. */
+    const char *identity =
+        cJSON_GetStringValue(cJSON_GetObjectItem(plan, "identity"));
+    const bool is_it =
+        identity &&
+        !murk_save_identify(&session, "place", &follow->save, NULL) &&
+        strcmp(identity, session.identity) == 0 &&
+        !cJSON_IsString(at(plan, "placement", "cut_by")) &&
+        has_exports(follow, step->number) &&
+        !murk_placement_read(&pose, &n, path, 0, step->world->desc,
+                             &step->world->stage->world.domain, NULL) &&
+        !fill_sensors(step, pose, n, NULL);
+    if (is_it) {
+        fill_row(step, plan);
+    }
+    cJSON_Delete(plan);
+    free(pose);
+    free(text);
+    free(path);
+    return is_it;
+}
+
+/* True for failures that are due to the scene at one time. Others end the
+ * run. */
+static bool is_of_step(murk_status status)
+{
+    return status == MURK_BAD_VALUE || status == MURK_BAD_FILE ||
+           status == MURK_RUN_FAILED || status == MURK_UNSUPPORTED;
+}
+
+static void note_failure(step_work *step, const murk_error *why)
+{
+    murk_sequence_row *row = &step->row;
+    row->coverage = (murk_estimate){NAN, NAN};
+    row->upper = row->cost = NAN;
+    snprintf(row->failed, sizeof row->failed, "%s%s%s", why->where,
+             why->where[0] ? ": " : "", why->text);
+}
+
+/* Saves a plan, with the light if that is asked for, and takes its figures. */
+static murk_status save_step(murk_follow *follow, step_work *step,
+                             murk_plan *plan, murk_error *err)
+{
+    char *folder = step_path(follow, step->number, NULL);
+    const murk_fields *saved = NULL;
+    plan->session.settings.own_input =
+        folder && plan->session.scene->placement.start_plan ? START_FILE : NULL;
+    plan->session.settings.leaves_out_light =
+        !(follow->session.settings.exports & MURK_EXPORT_LIGHT);
+    murk_status status =
+        follow->folder && !folder
+            ? murk_no_memory(err, "", "for the step")
+            : murk_plan_save(plan, folder, &follow->save, &saved, err);
+    if (!status) {
+        fill_row(step, saved->root);
+        status =
+            fill_sensors(step, plan->plan.sensor, plan->plan.place.count, err);
+    }
+    free(folder);
+    return status;
+}
+
+/* Makes the plan of a step, or takes that of an earlier run. A failure that is
+ * due to the scene at this time is noted in the row. */
+static murk_status make_step(murk_follow *follow, step_work *step,
+                             murk_scene *scene, murk_error *err)
+{
+    murk_plan *plan = NULL;
+    murk_error why = {.size = sizeof why};
+    murk_status status = murk_world_create(&step->world, scene, &why);
+    if (!status && take_earlier(follow, step)) {
+        ++follow->reused;
+        return MURK_OK;
+    }
+    if (!status) {
+        status = murk_plan_make(&plan, step->world, &why);
+    }
+    /* A search that was asked to finish gives a plan that depends on the time
+     * of the signal. */
+    if (!status && plan->plan.place.is_interrupted) {
+        status = MURK_INTERRUPTED;
+    }
+    if (!status) {
+        status = save_step(follow, step, plan, err);
+    } else if (is_of_step(status)) {
+        note_failure(step, &why);
+        status = MURK_OK;
+    } else {
+        murk_call_pass(err, &why);
+    }
+    murk_plan_destroy(plan);
+    return status;
+}
+
+/* Removes the sensors that fail at the step. */
+static murk_status fail_sensors(murk_follow *follow, const step_work *step,
+                                murk_error *err)
+{
+    const murk_scene_timeline *timeline = &follow->session.scene->timeline;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < timeline->tracks && !status; ++i) {
+        const murk_scene_track *track = &timeline->track[i];
+        if (track->fails && step->t_s >= track->fails_at_s) {
+            status = murk_sequence_fail(&follow->sequence, step->number,
+                                        step->t_s, track->sensor, err);
+        }
+    }
+    return status;
+}
+
+/* Makes the step, and adds its row and what moved to the sequence. */
+static murk_status do_step(murk_follow *follow, step_work *step,
+                           murk_error *err)
+{
+    murk_scene *scene = NULL;
+    char *start = NULL;
+    /* The scene at the time, with the sensors that are left as the start. */
+    murk_status status = fail_sensors(follow, step, err);
+    if (!status) {
+        status = make_start(follow, step->number, &start, err);
+    }
+    if (!status) {
+        status = scene_at(&scene, follow, step->t_s, start, err);
+    }
+    if (!status) {
+        status = make_step(follow, step, scene, err);
+    }
+    if (!status && !step->row.failed[0]) {
+        status =
+            murk_sequence_take(&follow->sequence, step->number, step->t_s,
+                               step->pose, step->poses, &step->row.moved, err);
+        follow->has_plan = true;
+    }
+    murk_scene_destroy(scene);
+    free(start);
+    return status ? status
+                  : murk_sequence_add(&follow->sequence, &step->row, err);
+}
+
+static void list_last(murk_results_fields *f, const void *of)
+{
+    const murk_sequence *sequence = of;
+    murk_results_list_follow_row(f, of, sequence->rows - 1);
+}
+
+murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
+                             murk_error *error)
+{
+    if (!follow || !row) {
+        return murk_call_refuse(error, "follow or row is NULL");
+    }
+    *row = NULL;
+    if (follow->next == follow->steps) {
+        return MURK_OK;
+    }
+    /* Make the step; its row holds the figures. */
+    const murk_scene_timeline *timeline = &follow->session.scene->timeline;
+    step_work step = {.number = follow->next,
+                      .t_s = murk_timeline_time_s(timeline, follow->next)};
+    step.row.step = step.number;
+    step.row.t_s = step.t_s;
+    murk_fields_release(&follow->row);
+    murk_fields_release(&follow->fields);
+    murk_status status = do_step(follow, &step, error);
+    follow->next += !status;
+    if (!status) {
+        status =
+            murk_fields_make(&follow->row, list_last, &follow->sequence, error);
+        *row = status ? NULL : &follow->row;
+    }
+    free(step.pose);
+    murk_world_destroy(step.world);
+    return status;
+}
+
+/* ---- results ---- */
+
+static murk_follow_results results_of(const murk_follow *follow)
+{
+    return (murk_follow_results){follow->session.scene, &follow->sequence,
+                                 follow->steps, follow->reused};
+}
+
+murk_status murk_follow_fields(murk_follow *follow, const murk_fields **fields,
+                               murk_error *error)
+{
+    if (!follow || !fields) {
+        return murk_call_refuse(error, "follow or fields is NULL");
+    }
+    const murk_follow_results results = results_of(follow);
+    murk_call call =
+        murk_call_begin(follow->scene->context, &follow->scene->files, error);
+    *fields = &follow->fields;
+    return murk_call_end(&call, murk_fields_make(&follow->fields,
+                                                 murk_results_list_follow,
+                                                 &results, &call.failure));
+}
+
+/* The list of the files of all steps that ParaView shows in time. */
+static murk_status write_pvd(FILE *to, const void *context, murk_error *err)
+{
+    static const struct {
+        murk_export export;
+        const char *name;
+    } shown[] = {{MURK_EXPORT_SURFACES, "surfaces.vtp"},
+                 {MURK_EXPORT_PHOTONS, "photons.vtp"},
+                 {MURK_EXPORT_FIELDS, "fields.vti"}};
+    const murk_follow *follow = context;
+    (void)err;
+    fprintf(to, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
+                "version=\"0.1\">\n<Collection>\n");
+    /* Each file of each step that has a plan. */
+    for (size_t i = 0; i < follow->sequence.rows; ++i) {
+        const murk_sequence_row *row = &follow->sequence.row[i];
+        for (size_t k = 0; k < sizeof shown / sizeof *shown; ++k) {
+            if (!row->failed[0] &&
+                follow->session.settings.exports & shown[k].export) {
+                fprintf(to,
+                        "<DataSet timestep=\"%.17g\" part=\"%zu\" "
+                        "file=\"" STEP_NAME "/%s\"/>\n",
+                        row->t_s, k, row->step, shown[k].name);
+            }
+        }
+    }
+    fprintf(to, "</Collection>\n</VTKFile>\n");
+    return MURK_OK;
+}
+
+#define VIEWED (MURK_EXPORT_SURFACES | MURK_EXPORT_PHOTONS | MURK_EXPORT_FIELDS)
+
+/* A murk_save_work (api/save.h). */
+static murk_status save(void *of, murk_session *session,
+                        const murk_save_options *options, murk_error *late,
+                        murk_error *err)
+{
+    murk_follow *follow = of;
+    const murk_follow_results results = results_of(follow);
+    (void)late; /* of exports, which the steps have */
+    murk_status status = begin_files(session, err);
+    if (!status) {
+        status = murk_save_identify(session, "follow", options, err);
+    }
+    if (!status) {
+        status = murk_results_add_csv(
+            &session->results, "follow.csv", murk_results_list_follow_row,
+            &follow->sequence, follow->sequence.rows, err);
+    }
+    if (!status) {
+        status = murk_results_add_csv(&session->results, "moves.csv",
+                                      murk_results_list_move, &results,
+                                      follow->sequence.moves, err);
+    }
+    if (!status && follow->session.settings.exports & VIEWED) {
+        status = murk_results_add_stream(&session->results, "follow.pvd",
+                                         write_pvd, follow, err);
+    }
+    if (!status) {
+        status = murk_session_add_scene(session, err);
+    }
+    return status ? status
+                  : murk_session_finish(
+                        session, "follow.json",
+                        murk_results_json(murk_results_list_follow, &results),
+                        murk_print_follow, &results, err);
+}
+
+murk_status murk_follow_save(murk_follow *follow, const murk_fields **fields,
+                             murk_error *error)
+{
+    if (!follow) {
+        return murk_save_refuse(fields, error, "follow is NULL");
+    }
+    murk_call call =
+        murk_call_begin(follow->scene->context, &follow->scene->files, error);
+    return murk_save_results(&call, &follow->session, &follow->saved,
+                             follow->folder, &follow->save, fields, save,
+                             follow);
+}

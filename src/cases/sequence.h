@@ -1,0 +1,84 @@
+/* Plans that follow each other in time: which sensor of a plan is which of the
+ * plan before, what moved, and a row of figures for each step.
+ *
+ * Sensors of the scene's `fixed` are not part of it: they have the numbers
+ * before `first`, the number of the first sensor that is planned. */
+#ifndef MURK_CASES_SEQUENCE_H
+#define MURK_CASES_SEQUENCE_H
+
+#include "base/stats.h"
+#include "base/status.h"
+#include "sensing/sensor.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum murk_sequence_change {
+    MURK_SENSOR_ADDED,
+    MURK_SENSOR_MOVED,
+    MURK_SENSOR_REMOVED,
+    MURK_SENSOR_FAILED
+} murk_sequence_change;
+
+/* A change of one sensor at a step. */
+typedef struct murk_sequence_move {
+    size_t step;
+    double t_s;
+    uint64_t sensor; /* number, which a sensor keeps when it moves */
+    murk_sequence_change change;
+    murk_pose from, to; /* `from` has no meaning for ADDED, `to` only for ADDED
+                         * and MOVED */
+} murk_sequence_move;
+
+/* A sensor of the last plan. */
+typedef struct murk_sequence_sensor {
+    uint64_t number;
+    murk_pose pose;
+} murk_sequence_sensor;
+
+/* The figures of a step; numbers that a step does not have are NaN. */
+typedef struct murk_sequence_row {
+    size_t step;
+    double t_s;
+    uint64_t photons_traced, photons_kept; /* emitted photons */
+    uint64_t pairs_looked, pairs_kept;     /* sightlines of candidates */
+    murk_estimate coverage;
+    double upper, cost;
+    size_t moved; /* sensors of the plan that were not in the plan before */
+    double seconds;
+    char failed[256]; /* why the step has no plan; empty: it has one */
+} murk_sequence_row;
+
+typedef struct murk_sequence {
+    murk_sequence_row *row; /* [rows] */
+    size_t rows;
+    murk_sequence_move *move; /* [moves], in the order of steps and sensors */
+    size_t moves;
+    murk_sequence_sensor *sensor; /* [sensors] of the last plan */
+    size_t sensors;
+    uint64_t next; /* number of the next sensor that is added */
+} murk_sequence;
+
+void murk_sequence_init(murk_sequence *out, uint64_t first);
+void murk_sequence_release(murk_sequence *sequence);
+
+/* Appends a row. Fails with MURK_NO_MEMORY. */
+murk_status murk_sequence_add(murk_sequence *sequence,
+                              const murk_sequence_row *row, murk_error *err);
+
+/* Removes a sensor that has failed at the step. Does nothing if there is none
+ * of that number. Fails with MURK_NO_MEMORY. */
+murk_status murk_sequence_fail(murk_sequence *sequence, size_t step, double t_s,
+                               uint64_t number, murk_error *err);
+
+/* Makes pose[n] the sensors of the step. A sensor at the pose of one of the
+ * plan before is this sensor. Of the others, the pair of equal type at the
+ * least distance is a sensor that moved, and so on; what is left over was added
+ * or removed. *moved becomes the number of sensors that were added or moved.
+ * Fails with MURK_NO_MEMORY. */
+murk_status murk_sequence_take(murk_sequence *sequence, size_t step, double t_s,
+                               const murk_pose *pose, size_t n, size_t *moved,
+                               murk_error *err);
+
+#endif

@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+"""murk follow from outside: each step equals what murk place makes of the scene at that time (--at) from the same
+start, its light that of murk trace, for any number of threads; the tables say what the plans say; a run that was
+stopped goes on to the same tables; a step whose scene is wrong is a row that says so. Standard library only.
+usage: follow.py MURK
+"""
+
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+MURK = os.path.abspath(sys.argv[1])
+failures = 0
+
+SCENE = """murk: 1
+domain: {min_m: [0, 0, 0], max_m: [12, 8, 4]}
+timeline:
+  from_s: 0
+  to_s: 12
+  every_s: 3
+  tracks:
+    - {geometry: load, lights: [1], keyframes: [{t_s: 0, translate_m: [2, 4, 1]}, {t_s: 12, translate_m: [10, 4, 1]}]}
+    - {key: media.fog.extinction_per_m, keyframes: [{t_s: 3, value: 0.05}, {t_s: 9, value: 0.3}]}
+    - {key: lights.0.power_w, between: hold, keyframes: [{t_s: 0, value: 20}, {t_s: 6, value: 0}]}
+    - {sensor: 1, fails_at_s: 9}
+geometry:
+  - {box: {min_m: [0, 0, 0], max_m: [12, 8, 4]}}
+  - {name: load, box: {min_m: [-1, -1, -1], max_m: [1, 1, 1]}, translate_m: [2, 4, 1]}
+media: {fog: {extinction_per_m: 0.05, albedo: 0.9}}
+regions: [{medium: fog}]
+lights:
+  - {type: point, position_m: [6, 4, 3.8], power_w: 20}
+  - {type: point, position_m: [2, 4, 2.5], power_w: 5}
+photons: {emit: 3000}
+sensors:
+  types: [{name: node, range_m: 6}]
+  fixed: [{position_m: [11, 7, 3]}]
+  candidates: {grid: {min_m: [1, 1, 1], max_m: [11, 7, 3], size: [6, 4, 3]}}
+  count: 4
+"""
+
+
+def check(holds, *text):
+    global failures
+    if not holds:
+        print("follow.py:", *text)
+        failures += 1
+
+
+def run(*words, code=0):
+    done = subprocess.run([MURK, *words], capture_output=True, text=True)
+    check(done.returncode == code, words, "ends with", done.returncode, done.stderr)
+    return done
+
+
+def bytes_of(*path):
+    with open(os.path.join(*path), "rb") as file:
+        return file.read()
+
+
+def plan_of(folder):
+    plan = json.loads(bytes_of(folder, "plan.json"))
+    for key in ("run", "files"):  # files: the light is written in one of both only
+        plan.pop(key)
+    return plan
+
+
+def table(*path):
+    with open(os.path.join(*path), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def without_seconds(*path):
+    return [{key: value for key, value in row.items() if key != "seconds"} for row in table(*path)]
+
+
+def steps_are_plans(folder, scene, method):
+    """Each step against murk place and murk trace."""
+    out = os.path.join(folder, method)
+    words = ["--set", f"placement.method={method}"]
+    run("follow", scene, "-o", out, "--export", "light", *words)
+    rows = table(out, "follow.csv")
+    check([float(row["t_s"]) for row in rows] == [0, 3, 6, 9, 12], "times", rows)
+    for k, row in enumerate(rows):
+        step, alone, light = (os.path.join(folder, name) for name in (f"{method}/steps/{k:04}", "alone", "light"))
+        start = os.path.join(step, "start.csv")
+        check(os.path.exists(start) == (method != "greedy" and k > 0), "start.csv", method, k)
+        begin = ["--start", start] if os.path.exists(start) else []
+        run("place", scene, "--at", row["t_s"], "-o", alone, "--force", *words, *begin)
+        ours, fresh = plan_of(step), plan_of(alone)
+        if begin:  # other exports are asked for, so that identities differ in nothing else
+            check(ours["placement"]["started_from"] == len(table(start)), "started_from", k)
+        ours.pop("identity"), fresh.pop("identity")
+        check(ours == fresh, method, "plan of step", k)
+        for name in ("sensors.csv", "coverage.csv", "plan.ply"):
+            check(bytes_of(step, name) == bytes_of(alone, name), method, name, "of step", k)
+        run("trace", scene, "--at", row["t_s"], "-o", light, "--force")
+        check(bytes_of(step, "light.murk") == bytes_of(light, "light.murk"), method, "light of step", k)
+        check(float(row["coverage"]) == ours["coverage"]["held_out"], "coverage of step", k)
+        check(float(row["upper"]) == ours["bound"]["upper"], "bound of step", k)
+        check(int(row["photons_traced"]) + int(row["photons_kept"]) == 3000, "photons of step", k)
+        shutil.rmtree(alone), shutil.rmtree(light)
+    return out
+
+
+def moves_are_differences(out):
+    """moves.csv, applied to the plan of a step, gives the plan of the next."""
+    rows, moves = table(out, "follow.csv"), table(out, "moves.csv")
+    sensors, before = {}, set()
+    for k, row in enumerate(rows):
+        for move in (move for move in moves if int(move["step"]) == k):
+            to = tuple(float(move[f"to_{axis}_m"]) for axis in "xyz") if move["to_x_m"] else None
+            was = tuple(float(move[f"from_{axis}_m"]) for axis in "xyz") if move["from_x_m"] else None
+            check(sensors.get(move["sensor"]) == was, "sensor", move["sensor"], "was at", was, "at step", k)
+            check((to is None) == (move["change"] in ("removed", "failed")), "change", move)
+            sensors.pop(move["sensor"], None)
+            if to:
+                sensors[move["sensor"]] = to
+        plan = {tuple(float(sensor[f"{axis}_m"]) for axis in "xyz")
+                for sensor in table(out, f"steps/{k:04}", "sensors.csv")}
+        planned = plan - {(11, 7, 3)} # the fixed sensor, which no candidate joins
+        check(set(sensors.values()) == planned, "sensors of step", k, sensors, planned)
+        check(int(row["moved"]) == len(planned - before) + 0, "moved of step", k, row["moved"])
+        before = planned
+        count = 4 if float(row["t_s"]) < 9 else 3
+        check(len(plan) == count, "sensors at step", k, "are", len(plan))
+    failed = [move for move in moves if move["change"] == "failed"]
+    check(len(failed) == 1 and failed[0]["sensor"] == "1" and failed[0]["step"] == "3", "failed", failed)
+
+
+def goes_on(folder, scene, whole):
+    """Steps that are done are kept; what is missing, cut or of another scene is made."""
+    words = ["--set", "placement.method=best", "--export", "light"]
+    out = os.path.join(folder, "again")
+    shutil.copytree(whole, out)
+    stamp = os.stat(os.path.join(out, "steps/0001/plan.json")).st_mtime_ns
+    for name in ("follow.csv", "moves.csv", "follow.json", "scene.resolved.yaml"):
+        os.remove(os.path.join(out, name))
+    shutil.rmtree(os.path.join(out, "steps/0003"))
+    os.remove(os.path.join(out, "steps/0004/light.murk"))
+    run("follow", scene, "-o", out, *words)
+    check(os.stat(os.path.join(out, "steps/0001/plan.json")).st_mtime_ns == stamp, "step 1 was made again")
+    check(without_seconds(out, "follow.csv") == without_seconds(whole, "follow.csv"), "follow.csv after a stop")
+    check(bytes_of(out, "moves.csv") == bytes_of(whole, "moves.csv"), "moves.csv after a stop")
+    check(bytes_of(out, "steps/0003/light.murk") == bytes_of(whole, "steps/0003/light.murk"), "light after a stop")
+    check(os.path.exists(os.path.join(out, "steps/0004/light.murk")), "the export that was missing")
+    killed = os.path.join(folder, "killed")
+    running = subprocess.Popen([MURK, "follow", scene, "-o", killed, *words], stdout=subprocess.DEVNULL)
+    while running.poll() is None and not os.path.exists(os.path.join(killed, "steps/0001/plan.json")):
+        time.sleep(0.005)
+    running.kill()
+    running.wait()
+    run("follow", scene, "-o", killed, *words)
+    check(without_seconds(killed, "follow.csv") == without_seconds(whole, "follow.csv"), "follow.csv after kill -9")
+    check(bytes_of(killed, "moves.csv") == bytes_of(whole, "moves.csv"), "moves.csv after kill -9")
+    for threads in ("1", "5"):
+        other = os.path.join(folder, "threads" + threads)
+        run("follow", scene, "-o", other, "-j", threads, *words)
+        check(without_seconds(other, "follow.csv") == without_seconds(whole, "follow.csv"), threads, "threads")
+        check(bytes_of(other, "moves.csv") == bytes_of(whole, "moves.csv"), threads, "threads")
+    run("follow", scene, "-o", out, *words, "--seed", "2")
+    check(without_seconds(out, "follow.csv") != without_seconds(whole, "follow.csv"), "another seed, the same table")
+
+
+def wrong_steps_say_so(folder, scene):
+    """A step whose scene is wrong at its time."""
+    out = os.path.join(folder, "wrong")
+    track = ("timeline.tracks=[{key: media.fog.albedo, keyframes: [{t_s: 0, value: 0.5}, {t_s: 12, value: 1.7}]}]")
+    done = run("follow", scene, "-o", out, "--set", track, "--set", "placement.method=greedy", code=1)
+    rows = table(out, "follow.csv")
+    check([bool(row["failed"]) for row in rows] == [False, False, True, True, True], "wrong steps", rows)
+    check("albedo" in rows[2]["failed"] and "1.1" in rows[2]["failed"], rows[2]["failed"])
+    check(rows[2]["coverage"] == "" and rows[2]["upper"] == "", "a plan of a wrong step", rows[2])
+    check("3 of 5 steps failed" in done.stderr, done.stderr)
+    refused = [(["--set", "timeline.tracks=[{geometry: lode, keyframes: [{t_s: 0, translate_m: [0, 0, 0]}]}]"],
+                "geometry: lode is no name"),
+               (["--set", "timeline.times_s=[3, 2]"], "must rise"),
+               (["--set", "placement.over=mean", "--set", "conditions={a: {}}"], "does not follow a timeline"),
+               (["--export", "smoke"], "is not an export")]
+    for words, text in refused:
+        done = run("follow", scene, *words, code=2)
+        check(text in done.stderr and done.stderr.count("\n") == 1, words, done.stderr)
+    with open(os.path.join(folder, "still.yaml"), "w") as file:
+        file.write(SCENE[:SCENE.index("timeline")] + SCENE[SCENE.index("geometry:\n"):])
+    done = run("follow", os.path.join(folder, "still.yaml"), code=2)
+    check("has no timeline" in done.stderr, done.stderr)
+
+
+def prints_without_a_folder(scene, whole):
+    done = run("follow", scene, "--set", "placement.method=best", "--format", "json")
+    steps = json.loads(done.stdout)["steps"]
+    rows = table(whole, "follow.csv")
+    check([step["coverage"] for step in steps] == [float(row["coverage"]) for row in rows], "without a folder")
+
+
+def viewers(folder, scene):
+    out = os.path.join(folder, "views")
+    run("follow", scene, "-o", out, "--set", "placement.method=greedy", "--set", "timeline.times_s=[0, 6]", "--export",
+        "surfaces")
+    text = bytes_of(out, "follow.pvd").decode()
+    for k, t in enumerate(("0", "6")):
+        check(f'timestep="{t}" part="0" file="steps/000{k}/surfaces.vtp"' in text, "follow.pvd", text)
+        check(os.path.exists(os.path.join(out, f"steps/000{k}/surfaces.vtp")), "surfaces of step", k)
+
+
+with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
+    path = os.path.join(top, "room.yaml")
+    with open(path, "w") as file:
+        file.write(SCENE)
+    steps_are_plans(top, path, "greedy")
+    made = steps_are_plans(top, path, "best")
+    moves_are_differences(made)
+    goes_on(top, path, made)
+    wrong_steps_say_so(top, path)
+    prints_without_a_folder(path, made)
+    viewers(top, path)
+sys.exit(1 if failures else 0)

@@ -1,0 +1,105 @@
+/* Sensors of plans that follow each other: which is which, what moved, and that
+ * numbers are kept. Nothing here is random. */
+#include "cases/sequence.h"
+#include "check.h"
+
+static murk_pose at(double x, uint32_t type)
+{
+    return (murk_pose){.type = type, .position = {x, 0, 0}};
+}
+
+static void take(murk_sequence *s, size_t step, const murk_pose *pose, size_t n,
+                 size_t want_moved)
+{
+    size_t moved = 99;
+    CHECK(murk_sequence_take(s, step, (double)step, pose, n, &moved, NULL) ==
+          MURK_OK);
+    CHECK(moved == want_moved);
+    CHECK(s->sensors == n);
+}
+
+static void test_sensors_keep_their_numbers(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 2); /* two fixed sensors before them */
+    const murk_pose first[] = {at(0, 0), at(5, 0), at(9, 1)};
+    take(&s, 0, first, 3, 3);
+    CHECK(s.moves == 3 && s.move[0].change == MURK_SENSOR_ADDED);
+    CHECK(s.sensor[0].number == 2 && s.sensor[2].number == 4);
+    /* In another order, one of them moved: it is the nearest of its type. */
+    const murk_pose second[] = {at(9, 1), at(8, 0), at(0, 0)};
+    take(&s, 1, second, 3, 1);
+    CHECK(s.moves == 4 && s.move[3].change == MURK_SENSOR_MOVED);
+    CHECK(s.move[3].sensor == 3 && s.move[3].step == 1);
+    CHECK(s.move[3].from.position.x == 5 && s.move[3].to.position.x == 8);
+    CHECK(s.sensor[0].number == 4 && s.sensor[1].number == 3 &&
+          s.sensor[2].number == 2);
+    /* Nothing changes. */
+    take(&s, 2, second, 3, 0);
+    CHECK(s.moves == 4);
+    murk_sequence_release(&s);
+}
+
+/* The nearest pair is joined first, whatever the order: 0 -> 1 and 4 -> 9, not
+ * 4 -> 1. */
+static void test_nearest_pairs(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 0);
+    const murk_pose first[] = {at(0, 0), at(4, 0)},
+                    second[] = {at(9, 0), at(1, 0)};
+    take(&s, 0, first, 2, 2);
+    take(&s, 1, second, 2, 2);
+    CHECK(s.sensor[0].number == 1 && s.sensor[1].number == 0);
+    murk_sequence_release(&s);
+}
+
+static void test_other_types_are_added_and_removed(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 0);
+    const murk_pose first[] = {at(0, 0)}, second[] = {at(0, 1)};
+    take(&s, 0, first, 1, 1);
+    take(&s, 1, second, 1, 1);
+    CHECK(s.moves == 3);
+    CHECK(s.move[1].change == MURK_SENSOR_REMOVED && s.move[1].sensor == 0);
+    CHECK(s.move[2].change == MURK_SENSOR_ADDED && s.move[2].sensor == 1);
+    /* The same pose with another heading is another one. */
+    murk_pose turned = second[0];
+    turned.heading_rad = 1;
+    take(&s, 2, &turned, 1, 1);
+    CHECK(s.move[3].change == MURK_SENSOR_MOVED && s.move[3].sensor == 1);
+    /* No plan: all are removed. */
+    take(&s, 3, NULL, 0, 0);
+    CHECK(s.move[4].change == MURK_SENSOR_REMOVED);
+    murk_sequence_release(&s);
+}
+
+static void test_failures(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 0);
+    const murk_pose first[] = {at(0, 0), at(5, 0)};
+    take(&s, 0, first, 2, 2);
+    CHECK(murk_sequence_fail(&s, 1, 1, 7, NULL) == MURK_OK);
+    CHECK(s.moves == 2); /* there is no sensor 7 */
+    CHECK(murk_sequence_fail(&s, 1, 1, 0, NULL) == MURK_OK);
+    CHECK(s.sensors == 1 && s.sensor[0].number == 1);
+    CHECK(s.moves == 3 && s.move[2].change == MURK_SENSOR_FAILED);
+    CHECK(s.move[2].from.position.x == 0);
+    CHECK(murk_sequence_fail(&s, 2, 2, 0, NULL) == MURK_OK);
+    CHECK(s.moves == 3); /* it fails once */
+    /* A sensor at the place of one that has failed is a new one. */
+    take(&s, 2, first, 2, 1);
+    CHECK(s.sensor[0].number == 2 && s.sensor[1].number == 1);
+    murk_sequence_release(&s);
+}
+
+int main(void)
+{
+    test_sensors_keep_their_numbers();
+    test_nearest_pairs();
+    test_other_types_are_added_and_removed();
+    test_failures();
+    return check_done();
+}
