@@ -67,6 +67,14 @@ murk_status murk_surfaces_create(murk_surfaces **out,
                                  size_t n_surfaces,
                                  const murk_material *materials,
                                  size_t n_materials, murk_error *err);
+
+/* The same for geometry that moves within a box: what rounding needs, and so
+ * every bit of a hit, is as if the geometry reached up to this box, wherever it
+ * is now. */
+murk_status murk_surfaces_create_within(
+    murk_surfaces **out, const murk_surface_desc *surfaces, size_t n_surfaces,
+    const murk_material *materials, size_t n_materials, const murk_box *within,
+    murk_error *err);
 void murk_surfaces_destroy(murk_surfaces *surfaces);
 
 const murk_material *murk_surfaces_material(const murk_surfaces *surfaces,

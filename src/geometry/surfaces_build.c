@@ -12,10 +12,16 @@
 #include <string.h>
 
 /* Areas, the lengths that rounding makes necessary, and the box that rays
- * are clipped to. */
-static void measure(murk_surfaces *s)
+ * are clipped to; these lengths and the box as if something reached up to the
+ * box `within`, unless that is NULL or there are no surfaces. */
+static void measure(murk_surfaces *s, const murk_box *within)
 {
-    const murk_soup *soup = &s->soup;
+    murk_soup *soup = &s->soup;
+    murk_box box = soup->box;
+    if (within && soup->triangles + soup->spheres > 0) {
+        box = murk_box_with(murk_box_with(box, within->min), within->max);
+        soup->extent = murk_box_largest_coordinate(&box);
+    }
     for (size_t i = 0; i < soup->triangles; ++i) {
         const murk_triangle t = murk_soup_triangle(soup, i);
         s->material_area_m2[soup->material[i]] += murk_triangle_area(&t);
@@ -31,8 +37,7 @@ static void measure(murk_surfaces *s)
     s->leave_m = MURK_LEAVE_UNITS * s->unit_m;
     s->sheet_planes = murk_sheet_planes_of(soup, s->unit_m);
     const murk_vec3 margin = murk_vec(s->leave_m, s->leave_m, s->leave_m);
-    s->reach = (murk_box){murk_sub(soup->box.min, margin),
-                          murk_add(soup->box.max, margin)};
+    s->reach = (murk_box){murk_sub(box.min, margin), murk_add(box.max, margin)};
     /* Half of the limit, so that differences of points are below it, too. */
     s->is_reach_sound =
         murk_box_largest_coordinate(&s->reach) < MURK_RAY_MAX_M / 2;
@@ -40,7 +45,7 @@ static void measure(murk_surfaces *s)
 
 static murk_status prepare(murk_surfaces *s, const murk_surface_desc *surfaces,
                            size_t n_surfaces, const murk_material *materials,
-                           murk_error *err)
+                           const murk_box *within, murk_error *err)
 {
     const size_t n = s->n_materials;
     s->material = malloc(n * sizeof *s->material);
@@ -54,7 +59,7 @@ static murk_status prepare(murk_surfaces *s, const murk_surface_desc *surfaces,
     if (status) {
         return status;
     }
-    measure(s);
+    measure(s, within);
     return s->soup.triangles + s->soup.spheres > 0
                ? murk_ray_scene_commit(s, err)
                : MURK_OK;
@@ -65,6 +70,17 @@ murk_status murk_surfaces_create(murk_surfaces **out,
                                  size_t n_surfaces,
                                  const murk_material *materials,
                                  size_t n_materials, murk_error *err)
+{
+    return murk_surfaces_create_within(out, surfaces, n_surfaces, materials,
+                                       n_materials, NULL, err);
+}
+
+murk_status murk_surfaces_create_within(murk_surfaces **out,
+                                        const murk_surface_desc *surfaces,
+                                        size_t n_surfaces,
+                                        const murk_material *materials,
+                                        size_t n_materials,
+                                        const murk_box *within, murk_error *err)
 {
     assert(out && materials && n_materials >= 1);
     /* Material numbers have 8 bits. */
@@ -79,7 +95,8 @@ murk_status murk_surfaces_create(murk_surfaces **out,
     }
     /* Copy the materials, store the shapes and build the ray scene. */
     s->n_materials = n_materials;
-    const murk_status status = prepare(s, surfaces, n_surfaces, materials, err);
+    const murk_status status =
+        prepare(s, surfaces, n_surfaces, materials, within, err);
     if (status) {
         murk_surfaces_destroy(s);
         return status;

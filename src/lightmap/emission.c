@@ -261,7 +261,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
 
 murk_status murk_emission_check(const murk_emission *e, murk_error *err)
 {
-    const size_t channels = murk_sources_lit(e->stage->lights);
+    const size_t channels = murk_sources_dealt(e->stage->lights);
     if (e->emit && e->emit < channels) {
         return murk_fail(err, MURK_BAD_VALUE, settings_of(e)->where,
                          "emit: %llu, must be at least %zu: one photon for "

@@ -92,11 +92,11 @@ murk_status murk_lightmap_check_ledger(const int64_t *cell, uint64_t emitted,
     const int64_t counted = lost_photons[MURK_LOSSES];
     const int64_t collisions = lost_photons[MURK_LOSSES + 1];
     int64_t lost = 0;
-    /* Every emitted photon is counted in the ledger, no more photons are lost
-     * than were emitted, and the counts fit the types that a run has for
-     * them. */
-    bool is_possible =
-        emitted <= UINT32_MAX && counted == (int64_t)emitted && collisions >= 0;
+    /* The photons of light sources that are on are counted in the ledger, no
+     * more photons are lost than were emitted, and the counts fit the types
+     * that a run has for them. */
+    bool is_possible = emitted <= UINT32_MAX && counted >= 0 &&
+                       counted <= (int64_t)emitted && collisions >= 0;
     for (int i = 0; i < MURK_LOSSES && is_possible; ++i) {
         is_possible =
             lost_photons[i] >= 0 && lost_photons[i] <= (int64_t)emitted - lost;
@@ -112,12 +112,16 @@ murk_status murk_lightmap_check_ledger(const int64_t *cell, uint64_t emitted,
     }
     murk_sources_deal(stage->lights, emitted, count);
     murk_status status = MURK_OK;
+    uint64_t traced = 0;
     for (size_t c = 0; c < channels && !status; ++c) {
+        traced += count[c];
         status =
             check_channel(cell, c, count[c], packet_w[c], stage, path, err);
     }
     free(count);
-    return status;
+    return !status && traced != (uint64_t)counted
+               ? impossible(path, "facts", "another number of photons", err)
+               : status;
 }
 
 /* A description of the first impossible property of a record, or NULL. */

@@ -6,6 +6,7 @@
 #include "base/number.h"
 #include "base/words.h"
 #include "scene/frames.h"
+#include "scene/idle.h"
 #include "scene/key_path.h"
 #include "scene/override.h"
 #include "scene/value.h"
@@ -37,6 +38,18 @@ double murk_timeline_time_s(const murk_scene_timeline *t, size_t i)
 {
     return t->times_s.n > 0 ? t->times_s.value[i]
                             : t->from_s + (double)i * t->every_s;
+}
+
+bool murk_timeline_changes_power(const murk_scene_desc *scene)
+{
+    const murk_scene_timeline *t = &scene->timeline;
+    bool changes = t->given && murk_idle_asks_time(scene);
+    for (size_t i = 0; i < t->tracks; ++i) {
+        const char *key = t->track[i].key;
+        changes = changes || (key && (murk_override_overlap(key, "lights") ||
+                                      murk_override_overlap(key, "site")));
+    }
+    return changes;
 }
 
 /* ---- values between keyframes ---- */

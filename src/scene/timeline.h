@@ -26,6 +26,10 @@ void murk_timeline_finish(murk_scene_desc *scene);
 size_t murk_timeline_steps(const murk_scene_timeline *timeline);
 double murk_timeline_time_s(const murk_scene_timeline *timeline, size_t i);
 
+/* True if powers of light sources may change in the course of the timeline: by
+ * tracks of keys of lights or site, or by clocks. */
+bool murk_timeline_changes_power(const murk_scene_desc *scene);
+
 /* The number of the file of a track of a medium at a time, counted from
  * first_frame at from_s: whole unless the track is interpolated linearly. False
  * before from_s, when there is none. */

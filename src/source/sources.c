@@ -19,8 +19,9 @@ struct murk_sources {
     double *power_w;            /* [n * bands] */
     double all_power_w;
     size_t n_lit;    /* number of channels with power */
-    size_t *lit;     /* [n_lit] numbers of these channels */
-    uint64_t *limit; /* [n_lit] limits of source/deal.h */
+    size_t n_dealt;  /* number of channels that photons are dealt to */
+    size_t *dealt;   /* [n_dealt] numbers of these channels */
+    uint64_t *limit; /* [n_dealt] limits of source/deal.h */
 };
 
 static murk_status check_set(size_t n_lights, const murk_domain *domain,
@@ -81,27 +82,47 @@ static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
     return MURK_OK;
 }
 
-static murk_status deal_out(murk_sources *lights, murk_error *err)
+/* Deals photons in proportion to weight_of[channels]. */
+static murk_status deal_by(murk_sources *lights, const double *weight_of,
+                           murk_error *err)
 {
     const size_t channels = lights->n * lights->bands;
+    double *weight = calloc(channels, sizeof *weight);
+    if (!weight) {
+        return murk_no_memory(err, "lights", "for %zu channels", channels);
+    }
+    lights->n_dealt = 0;
+    for (size_t c = 0; c < channels; ++c) {
+        if (weight_of[c] > 0) {
+            weight[lights->n_dealt] = weight_of[c];
+            lights->dealt[lights->n_dealt++] = c;
+        }
+    }
+    murk_deal_limits(weight, lights->n_dealt, lights->limit);
+    free(weight);
+    return MURK_OK;
+}
+
+static murk_status deal_out(murk_sources *lights, murk_error *err)
+{
     if (!isfinite(lights->all_power_w)) {
         return murk_fail(err, MURK_BAD_VALUE, "lights",
                          "power of all lights is %g W, must be finite",
                          lights->all_power_w);
     }
-    double *weight = calloc(channels, sizeof *weight);
-    if (!weight) {
-        return murk_no_memory(err, "lights", "for %zu channels", channels);
+    for (size_t c = 0; c < lights->n * lights->bands; ++c) {
+        lights->n_lit += lights->power_w[c] > 0;
     }
-    for (size_t c = 0; c < channels; ++c) {
-        if (lights->power_w[c] > 0) {
-            weight[lights->n_lit] = lights->power_w[c];
-            lights->lit[lights->n_lit++] = c;
-        }
+    return deal_by(lights, lights->power_w, err);
+}
+
+murk_status murk_sources_deal_by(murk_sources *lights, const double *weight,
+                                 murk_error *err)
+{
+    for (size_t c = 0; c < lights->n * lights->bands; ++c) {
+        assert(weight[c] > 0 || !(lights->power_w[c] > 0));
     }
-    murk_deal_limits(weight, lights->n_lit, lights->limit);
-    free(weight);
-    return MURK_OK;
+    return deal_by(lights, weight, err);
 }
 
 murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
@@ -122,10 +143,10 @@ murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
         made->bands = (size_t)bands;
         made->sources = calloc(n_lights, sizeof *made->sources);
         made->power_w = calloc(channels, sizeof *made->power_w);
-        made->lit = calloc(channels, sizeof *made->lit);
+        made->dealt = calloc(channels, sizeof *made->dealt);
         made->limit = calloc(channels, sizeof *made->limit);
     }
-    if (!made || !made->sources || !made->power_w || !made->lit ||
+    if (!made || !made->sources || !made->power_w || !made->dealt ||
         !made->limit) {
         status = murk_no_memory(err, "lights", "for %zu lights", n_lights);
         goto done;
@@ -156,7 +177,7 @@ void murk_sources_destroy(murk_sources *lights)
         }
         free(lights->sources);
         free(lights->power_w);
-        free(lights->lit);
+        free(lights->dealt);
         free(lights->limit);
         free(lights);
     }
@@ -183,21 +204,27 @@ size_t murk_sources_lit(const murk_sources *lights)
     return lights->n_lit;
 }
 
+size_t murk_sources_dealt(const murk_sources *lights)
+{
+    return lights->n_dealt;
+}
+
 size_t murk_sources_channel_of(const murk_sources *lights, uint64_t photon)
 {
-    assert(lights->n_lit > 0);
-    return lights->lit[murk_deal_one(lights->limit, lights->n_lit, photon)];
+    assert(lights->n_dealt > 0);
+    return lights->dealt[murk_deal_one(lights->limit, lights->n_dealt, photon)];
 }
 
 void murk_sources_deal(const murk_sources *lights, uint64_t n, uint64_t *count)
 {
-    /* The counts of the channels with power are written to the front of the
-     * array. These channels are in ascending order, so moving them from the
+    /* The counts of the channels that are dealt to are written to the front of
+     * the array. These channels are in ascending order, so moving them from the
      * last to the first needs no copy. */
-    murk_deal_count(lights->limit, lights->n_lit, n, count);
-    size_t k = lights->n_lit;
+    murk_deal_count(lights->limit, lights->n_dealt, n, count);
+    size_t k = lights->n_dealt;
     for (size_t c = murk_sources_channels(lights); c-- > 0;) {
-        count[c] = k > 0 && lights->lit[k - 1] == c ? count[--k] : 0;
+        count[c] = k > 0 && lights->dealt[k - 1] == c ? count[--k] : 0;
+        count[c] = lights->power_w[c] > 0 ? count[c] : 0;
     }
 }
 

@@ -4,8 +4,10 @@
  *
  * A channel is one light in one band. Photons are dealt to channels in such a
  * way that the first n photons, for any n, are distributed in proportion to
- * power, to within a few photons of each channel. All packets of a channel have
- * equal power. Immutable after creation. */
+ * power, or to given weights, to within a few photons of each channel. All
+ * packets of a channel have equal power: that of the channel, divided by the
+ * number of photons dealt to it. Immutable after creation but for
+ * murk_sources_deal_by(). */
 #ifndef MURK_SOURCE_SOURCES_H
 #define MURK_SOURCE_SOURCES_H
 
@@ -48,6 +50,14 @@ murk_status murk_sources_create(murk_sources **out, const murk_source *lights,
                                 const murk_domain *domain, murk_error *err);
 void murk_sources_destroy(murk_sources *lights); /* NULL is fine */
 
+/* Deals photons in proportion to weight[channels] in place of power, so that
+ * the channel of a photon stays the same while powers change. A weight must be
+ * above 0 where the power is. Photons that are dealt to a channel without power
+ * are not traced. To be called before the light sources are used. Fails with
+ * MURK_NO_MEMORY. */
+murk_status murk_sources_deal_by(murk_sources *lights, const double *weight,
+                                 murk_error *err);
+
 /* Channel c = light * bands + band. The power [W] may be 0. */
 size_t murk_sources_channels(const murk_sources *lights);
 double murk_sources_channel_power_w(const murk_sources *lights, size_t channel);
@@ -57,13 +67,17 @@ double murk_sources_power_w(const murk_sources *lights);
 /* The number of channels with power. If it is 0, no photon may be asked for. */
 size_t murk_sources_lit(const murk_sources *lights);
 
+/* The number of channels that photons are dealt to: those with power, or those
+ * with a weight (murk_sources_deal_by()). */
+size_t murk_sources_dealt(const murk_sources *lights);
+
 /* The channel of a photon: a pure function of the photon index. The first
- * photons go one to each channel with power; the rest follow a golden-ratio
- * sequence over the powers. */
+ * photons go one to each of these channels; the rest follow a golden-ratio
+ * sequence over the powers or weights. */
 size_t murk_sources_channel_of(const murk_sources *lights, uint64_t photon);
 
-/* Counts the photons [0, n) of each channel into count[channels]; all 0 if all
- * lights are dark. */
+/* Counts the photons [0, n) of each channel into count[channels]: those that
+ * are traced, so 0 for channels without power. */
 void murk_sources_deal(const murk_sources *lights, uint64_t n, uint64_t *count);
 
 /* The start of a photon: a pure function of (seed, stream, photon). */

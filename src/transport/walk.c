@@ -336,6 +336,13 @@ murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
     w->light = channel / (size_t)world->bands;
     w->band = (int)(channel % (size_t)world->bands);
     w->score = score;
+    /* A photon of a light source that is off is not traced: it has no part in
+     * ledger and tallies. */
+    if (!(murk_sources_channel_power_w(world->lights, channel) > 0)) {
+        w->score = NULL;
+        w->quanta = 0;
+        return MURK_FATE_ESCAPED;
+    }
     ++s->emitted[channel];
     /* Draw the start of the photon. */
     murk_ray ray = murk_sources_emit_in(world->lights, channel, r->trace->seed,

@@ -13,6 +13,7 @@
 #include "medium/interfaces.h"
 #include "world/extent.h"
 #include "world/file_sums.h"
+#include "world/light_shares.h"
 #include "world/mesh_files.h"
 #include "world/scene_tallies.h"
 
@@ -26,6 +27,20 @@
  * coordinate, so the step reaches this share if the largest coordinate is 84 to
  * 168 times the longest edge. */
 #define STEP_WARNED 1e-5
+
+static murk_status append_sum(murk_stage *stage, const uint64_t sum[2],
+                              const char *where, murk_error *err)
+{
+    const size_t old = strlen(stage->light_key), added = 64;
+    char *key = realloc(stage->light_key, old + added);
+    if (!key) {
+        return murk_no_memory(err, where, "for its sum");
+    }
+    snprintf(key + old, added, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
+             sum[1], sum[0]);
+    stage->light_key = key;
+    return MURK_OK;
+}
 
 /* Appends the checksum of a file to the light key. The key already contains the
  * name of the file without the folder, so a scene that is moved together with
@@ -42,15 +57,7 @@ static murk_status add_checksum(murk_stage *stage, const char *path,
     if (status) {
         return murk_fail(err, status, where, "%s: %s", path, cause.text);
     }
-    const size_t old = strlen(stage->light_key), added = 64;
-    char *key = realloc(stage->light_key, old + added);
-    if (!key) {
-        return murk_no_memory(err, where, "for its sum");
-    }
-    snprintf(key + old, added, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
-             sum[1], sum[0]);
-    stage->light_key = key;
-    return MURK_OK;
+    return append_sum(stage, sum, where, err);
 }
 
 /* The vertices of a mesh are stored in single precision. Fails if the rounding
@@ -218,8 +225,12 @@ static murk_status build_surfaces(murk_stage *stage, murk_error *err)
                                       .ior = m->ior};
         memcpy(material[i].name, m->name, sizeof material[i].name);
     }
-    status = murk_surfaces_create(&stage->surfaces, surface, scene->geometries,
-                                  material, scene->n_materials, err);
+    /* Geometry that moves stays within the domain, so that what it does not
+     * touch keeps its bits. */
+    status = murk_surfaces_create_within(
+        &stage->surfaces, surface, scene->geometries, material,
+        scene->n_materials,
+        scene->timeline.given ? &stage->world.domain.box : NULL, err);
 done:
     free(surface);
     free(material);
@@ -234,6 +245,28 @@ static murk_status build_media(murk_stage *stage, murk_error *err)
     return !status && stage->scene->by_delta
                ? murk_media_prepare_delta(stage->media, err)
                : status;
+}
+
+/* If powers change in the course of a timeline, deals photons by the shares
+ * that light sources have at all times, so that each photon starts from the
+ * same light source at all of them. The light depends on these shares, so their
+ * checksum is appended to the light key. */
+static murk_status deal_over_time(murk_stage *stage, murk_error *err)
+{
+    double *share = NULL;
+    murk_status status = murk_light_shares(&share, stage->scene, stage->lights,
+                                           &stage->world.domain, err);
+    if (!status && share) {
+        uint64_t sum[2];
+        murk_checksum(
+            share, murk_sources_channels(stage->lights) * sizeof *share, sum);
+        status = murk_sources_deal_by(stage->lights, share, err);
+        if (!status) {
+            status = append_sum(stage, sum, stage->scene->path, err);
+        }
+    }
+    free(share);
+    return status;
 }
 
 static murk_status build_lights(murk_stage *stage, murk_error *err)
@@ -264,7 +297,7 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
                                      scene->bands, &stage->world.domain, err);
     }
     free(light);
-    return status;
+    return status ? status : deal_over_time(stage, err);
 }
 
 murk_status murk_stage_import_beside(murk_stage **out,

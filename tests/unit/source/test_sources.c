@@ -425,6 +425,40 @@ static void test_ends_of_ranges(void)
     }
 }
 
+/* By weights, the channel of a photon stays while powers change, and photons of
+ * a channel without power do not count. */
+static void test_dealing_by_weights(void)
+{
+    enum { N = 1000 };
+    static const double weight[] = {1, 2, 3};
+    murk_source l[3];
+    size_t channel[N], changed = 0;
+    uint64_t count[3];
+    for (int i = 0; i < 3; ++i) {
+        l[i] = light_of(MURK_SOURCE_POINT);
+    }
+    /* The first light is on, then off. */
+    for (int off = 0; off < 2; ++off) {
+        murk_sources *lights = NULL;
+        l[0].power_w.band[0] = off ? 0 : 5;
+        CHECK(murk_sources_create(&lights, l, 3, 1, &hall, NULL) == MURK_OK);
+        CHECK(murk_sources_deal_by(lights, weight, NULL) == MURK_OK);
+        CHECK(murk_sources_dealt(lights) == 3);
+        CHECK(murk_sources_lit(lights) == (off ? 2 : 3));
+        for (size_t i = 0; i < N; ++i) {
+            const size_t now = murk_sources_channel_of(lights, i);
+            changed += off && channel[i] != now;
+            channel[i] = now;
+        }
+        murk_sources_deal(lights, N, count);
+        CHECK(off ? count[0] == 0 : count[0] >= 160 && count[0] <= 173);
+        CHECK(count[1] >= 328 && count[1] <= 338);
+        CHECK(count[2] >= 495 && count[2] <= 505);
+        murk_sources_destroy(lights);
+    }
+    CHECK(changed == 0);
+}
+
 static void test_no_lights_are_refused(void)
 {
     murk_sources *lights = NULL;
@@ -451,5 +485,6 @@ int main(int argc, char **argv)
     test_bad_lights_are_named();
     test_ends_of_ranges();
     test_no_lights_are_refused();
+    test_dealing_by_weights();
     return check_done();
 }
