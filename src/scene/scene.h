@@ -518,9 +518,10 @@ typedef struct murk_scene_timeline {
     size_t tracks;
 } murk_scene_timeline;
 
-/* Each condition may have a traced light of its own; 16 bounds memory and time.
- */
-#define MURK_SCENE_CONDITIONS_MAX 16
+/* Each condition may have a traced light of its own; 64 bounds memory and time,
+ * and is the number of blocks that a search takes (MURK_BLOCKS_MAX in
+ * placement/blocks.h). */
+#define MURK_SCENE_CONDITIONS_MAX 64
 
 typedef struct murk_scene_desc murk_scene_desc;
 

@@ -276,6 +276,10 @@ static murk_status read_tree(reading *r, murk_scene_desc *scene,
         return murk_fail(err, MURK_BAD_FILE, scene->path,
                          "is a study, must be a scene; murk study runs it");
     }
+    status = murk_timeline_add_conditions(r->root, err);
+    if (status) {
+        return status;
+    }
     if (murk_yaml_get(r->root, "conditions")) {
         given = murk_yaml_copy(r->root);
         if (!given) {

@@ -484,28 +484,107 @@ static murk_status read_timeline(murk_scene_desc *out, murk_yaml *root,
     return status;
 }
 
-murk_status murk_timeline_apply(murk_yaml *root, murk_error *err)
+/* A timeline that was read, and the copy of its tree. */
+typedef struct read_tree {
+    murk_yaml *node; /* NULL: the scene has no timeline */
+    murk_scene_desc *scene;
+} read_tree;
+
+static murk_status begin(read_tree *out, murk_yaml *root, murk_error *err)
 {
     const murk_yaml *given =
         root->kind == MURK_YAML_MAP ? murk_yaml_get(root, "timeline") : NULL;
+    *out = (read_tree){NULL, NULL};
     if (!given) {
         return MURK_OK;
     }
-    murk_yaml *node = murk_yaml_copy(given);
-    murk_scene_desc *scene = calloc(1, sizeof *scene);
-    murk_status status =
-        node && scene ? read_timeline(scene, root, node, err)
-                      : murk_no_memory(err, root->source, "for the timeline");
-    if (!status) {
+    out->node = murk_yaml_copy(given);
+    out->scene = calloc(1, sizeof *out->scene);
+    return out->node && out->scene
+               ? read_timeline(out->scene, root, out->node, err)
+               : murk_no_memory(err, root->source, "for the timeline");
+}
+
+static void end(read_tree *tree)
+{
+    murk_scene_desc_destroy(tree->scene);
+    murk_yaml_destroy(tree->node);
+}
+
+murk_status murk_timeline_apply(murk_yaml *root, murk_error *err)
+{
+    read_tree tree;
+    murk_status status = begin(&tree, root, err);
+    if (!status && tree.node) {
         changes c = {.root = root,
-                     .timeline = &scene->timeline,
-                     .tracks = murk_yaml_get(node, "tracks"),
+                     .timeline = &tree.scene->timeline,
+                     .tracks = murk_yaml_get(tree.node, "tracks"),
                      .err = err};
         status = apply_tracks(&c);
         free(c.path);
     }
-    murk_scene_desc_destroy(scene);
-    murk_yaml_destroy(node);
+    end(&tree);
+    return status;
+}
+
+/* True if the scene places over conditions and has none. */
+static bool wants_conditions(const murk_yaml *root)
+{
+    const murk_yaml *placement = murk_yaml_get(root, "placement"),
+                    *all = murk_yaml_get(root, "conditions"),
+                    *over = placement ? murk_yaml_get(placement, "over") : NULL;
+    return over && over->kind == MURK_YAML_SCALAR && !murk_yaml_is_null(over) &&
+           (!all || (all->kind == MURK_YAML_MAP && all->n == 0));
+}
+
+/* Makes the map of a condition that is a time. NULL when out of memory. */
+static murk_yaml *condition_at(double t_s, const char *source)
+{
+    murk_yaml *map = murk_yaml_make(MURK_YAML_MAP, source);
+    murk_yaml *number = number_node(t_s, source);
+    if (!map || !number || !murk_yaml_put(map, "timeline.at_s", number)) {
+        murk_yaml_destroy(map);
+        return NULL;
+    }
+    return map;
+}
+
+static bool add_conditions(murk_yaml *root, const murk_scene_timeline *timeline)
+{
+    murk_yaml *all = murk_yaml_make(MURK_YAML_MAP, root->source);
+    bool is_whole = all != NULL;
+    for (size_t i = 0; is_whole && i < murk_timeline_steps(timeline); ++i) {
+        char name[MURK_SCENE_NAME_SIZE];
+        snprintf(name, sizeof name, "step-%04zu", i);
+        murk_yaml *map =
+            condition_at(murk_timeline_time_s(timeline, i), root->source);
+        is_whole = map && murk_yaml_put(all, name, map);
+    }
+    if (!is_whole) {
+        murk_yaml_destroy(all);
+    }
+    return is_whole && murk_yaml_put(root, "conditions", all);
+}
+
+murk_status murk_timeline_add_conditions(murk_yaml *root, murk_error *err)
+{
+    read_tree tree = {NULL, NULL};
+    murk_status status = root->kind == MURK_YAML_MAP && wants_conditions(root)
+                             ? begin(&tree, root, err)
+                             : MURK_OK;
+    if (!status && tree.node) {
+        const murk_scene_timeline *timeline = &tree.scene->timeline;
+        const size_t steps = murk_timeline_steps(timeline);
+        status = steps > MURK_SCENE_CONDITIONS_MAX
+                     ? murk_fail(err, MURK_BAD_VALUE, timeline->where,
+                                 "%zu steps for one plan (placement.over), "
+                                 "must be at most %d",
+                                 steps, MURK_SCENE_CONDITIONS_MAX)
+                 : add_conditions(root, timeline)
+                     ? MURK_OK
+                     : murk_no_memory(err, root->source, "for the timeline");
+    }
+    end(&tree);
     return status;
 }
 

@@ -260,6 +260,34 @@ static void test_conditions_are_times(void)
     murk_scene_desc_destroy(scene);
 }
 
+/* One plan for all steps: each is a condition. */
+static void test_steps_are_conditions(void)
+{
+    murk_scene_desc *scene = read_at(
+        AT("{key: lights.0.power_w, keyframes: [{t_s: 0, value: 10},"
+           "  {t_s: 10, value: 20}]}") LAMP "placement: {over: worst}\n",
+        NULL);
+    CHECK(scene->n_conditions == 3);
+    CHECK_TEXT(scene->conditions[1].name, "step-0001");
+    CHECK(scene->conditions[1].scene->timeline.at_s == 5);
+    CHECK(scene->conditions[1].scene->lights[0].power_w.band[0] == 15);
+    murk_scene_desc *again = read_at(scene->resolved, NULL);
+    CHECK(again->n_conditions == 3);
+    CHECK_TEXT(again->resolved, scene->resolved);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
+    /* Conditions of the scene stay the only ones. */
+    scene = read_at(AT("") LAMP "placement: {over: mean}\n"
+                                "conditions: {late: {timeline.at_s: 7}}\n",
+                    NULL);
+    CHECK(scene->n_conditions == 1);
+    murk_scene_desc_destroy(scene);
+    CHECK_REFUSED(HEAD BOX "timeline: {from_s: 0, to_s: 64, every_s: 1}\n"
+                           "placement: {over: mean}\n" LAMP,
+                  VALUE, "fog.yaml:3:1: timeline",
+                  "65 steps for one plan (placement.over), must be at most 64");
+}
+
 static void test_names_stand_for_indices(void)
 {
     murk_scene_desc *scene;
@@ -365,6 +393,7 @@ int main(void)
     test_sensors_drift_and_fail();
     test_clocks_run();
     test_conditions_are_times();
+    test_steps_are_conditions();
     test_names_stand_for_indices();
     test_refusals();
     folder_leave((const char *const[]){"fog.yaml", NULL});
