@@ -24,8 +24,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define STEP_NAME  "steps/%04zu"
-#define START_FILE "start.csv"
+#define STEP_NAME       "steps/%04zu"
+#define START_FILE      "start.csv"
+#define START_IN_MEMORY "murk-follow-start.csv"
 
 struct murk_follow {
     murk_scene *scene; /* a copy of the caller's */
@@ -136,9 +137,14 @@ static murk_status read_timeline(murk_follow *follow, murk_error *err)
                            "over: a plan for several conditions does not "
                            "follow a timeline; must be null");
     }
+    if (!status && desc->placement.knowledge == MURK_SCENE_EXPLORE) {
+        status = murk_fail(&call.failure, MURK_BAD_VALUE, desc->placement.where,
+                           "knowledge: explore does not follow a timeline; "
+                           "must be known or unknown");
+    }
     if (!status) {
         follow->steps = murk_timeline_steps(&desc->timeline);
-        murk_sequence_init(&follow->sequence, desc->sensors.n_fixed);
+        murk_sequence_init(&follow->sequence, desc->sensors.fixed_listed);
     }
     follow->session =
         (murk_session){.settings.threads = follow->scene->context->threads,
@@ -146,6 +152,29 @@ static murk_status read_timeline(murk_follow *follow, murk_error *err)
                        .begun_s = murk_clock_s(),
                        .scene = desc};
     return murk_call_end(&call, status);
+}
+
+/* Makes the exports of the steps, other than the light, a part of their
+ * identity, so that steps without them, or with those of another run, are made
+ * again. */
+static murk_status identify_exports(murk_follow *follow, murk_error *err)
+{
+    const char *old = follow->asked ? follow->asked : "",
+               *exports = follow->exports ? follow->exports : "",
+               *voxel_m = follow->voxel_m ? follow->voxel_m : "";
+    if (!(follow->session.settings.exports & ~(unsigned)MURK_EXPORT_LIGHT)) {
+        return MURK_OK;
+    }
+    const size_t size =
+        strlen(old) + strlen(exports) + strlen(voxel_m) + sizeof "exports  \n";
+    char *asked = malloc(size);
+    if (!asked) {
+        return murk_no_memory(err, "", "for the exports");
+    }
+    snprintf(asked, size, "%sexports %s %s\n", old, exports, voxel_m);
+    free(follow->asked);
+    follow->save.asked = follow->asked = asked;
+    return MURK_OK;
 }
 
 /* Begins the folder, and checks the files that the run writes into it. */
@@ -168,6 +197,9 @@ static murk_status check_files(murk_follow *follow, murk_error *err)
     murk_status status =
         murk_save_set(&session, follow->folder, &follow->save, &call.failure);
     follow->session.settings.exports = session.settings.exports;
+    if (!status) {
+        status = identify_exports(follow, &call.failure);
+    }
     if (!status) {
         status = begin_files(&session, &call.failure);
     }
@@ -319,7 +351,7 @@ static murk_status make_start(murk_follow *follow, size_t step, char **path,
     /* The name, and the text. */
     char *text = start_text(follow);
     *path = follow->folder ? step_path(follow, step, START_FILE)
-                           : strdup(MURK_MEMORY_PREFIX START_FILE);
+                           : strdup(MURK_MEMORY_PREFIX START_IN_MEMORY);
     if (!text || !*path) {
         free(text);
         return murk_no_memory(err, "", "for the start of a step");
@@ -333,7 +365,7 @@ static murk_status make_start(murk_follow *follow, size_t step, char **path,
     murk_memory_file file = {
         .kind = MURK_MEMORY_TABLE, .data = text, .release = free};
     murk_checksum(text, size, file.checksum);
-    return murk_memory_add(&follow->scene->files, START_FILE, file, err);
+    return murk_memory_add(&follow->scene->files, START_IN_MEMORY, file, err);
 }
 
 /* ---- a step ---- */
@@ -344,6 +376,9 @@ typedef struct step_work {
     double t_s;
     murk_world *world;
     murk_sequence_row row;
+    char *start;     /* the file at which its search begins; NULL: none */
+    bool is_dark;    /* there is nothing to see, so no sensor has a reason to
+                      * move */
     murk_pose *pose; /* [poses] sensors of the plan, without the fixed ones */
     size_t poses;
 } step_work;
@@ -359,6 +394,23 @@ static double number_at(const cJSON *root, const char *map, const char *key)
     return cJSON_IsNumber(item) ? item->valuedouble : NAN;
 }
 
+/* The JSON in a file that murk has written; NULL if there is none. The caller
+ * deletes it. */
+static cJSON *read_json(const murk_follow *follow, size_t step,
+                        const char *name)
+{
+    char *path = step_path(follow, step, name), *text = NULL;
+    size_t size = 0;
+    cJSON *root = NULL;
+    if (path &&
+        !murk_file_read_own(&text, &size, path, MURK_YAML_MAX_BYTES, NULL)) {
+        root = cJSON_Parse(text);
+    }
+    free(text);
+    free(path);
+    return root;
+}
+
 /* Fills the row from the main JSON of a plan. */
 static void fill_row(step_work *step, const cJSON *plan)
 {
@@ -369,11 +421,10 @@ static void fill_row(step_work *step, const cJSON *plan)
     const murk_estimate in_sample = {
         number_at(plan, "coverage", "in_sample"),
         number_at(plan, "coverage", "in_sample_standard_error")};
-    const double emitted = number_at(plan, "photons", "emitted"),
-                 rays = number_at(plan, "placement", "shadow_rays");
+    const double rays = number_at(plan, "placement", "shadow_rays");
+    step->is_dark = !isfinite(in_sample.value);
     row->coverage = isfinite(held_out.value) ? held_out : in_sample;
     row->upper = number_at(plan, "bound", "upper");
-    row->photons_traced = emitted > 0 ? (uint64_t)emitted : 0;
     row->pairs_looked = rays > 0 ? (uint64_t)rays : 0;
     const cJSON *seconds = at(plan, "run", "seconds");
     row->seconds =
@@ -400,30 +451,32 @@ static murk_status fill_sensors(step_work *step, const murk_pose *pose,
     return MURK_OK;
 }
 
-/* True if the folder of a step has the files of all exports that are asked
- * for. */
-static bool has_exports(const murk_follow *follow, size_t step)
+/* Takes the sensors from the file of a plan. */
+static murk_status read_sensors(step_work *step, const char *path,
+                                murk_error *err)
 {
-    static const struct {
-        murk_export export;
-        const char *name;
-    } files[] = {{MURK_EXPORT_MATRIX, "matrix.csv"},
-                 {MURK_EXPORT_OR_LIBRARY, "matrix.txt"},
-                 {MURK_EXPORT_LP, "problem.lp"},
-                 {MURK_EXPORT_FIELDS, "fields.vti"},
-                 {MURK_EXPORT_PHOTONS, "photons.vtp"},
-                 {MURK_EXPORT_SURFACES, "surfaces.vtp"},
-                 {MURK_EXPORT_LIGHT, MURK_MAP_FILE_NAME}};
-    bool has_all = true;
-    for (size_t i = 0; i < sizeof files / sizeof *files; ++i) {
-        struct stat found;
-        char *path = step_path(follow, step, files[i].name);
-        if (follow->session.settings.exports & files[i].export) {
-            has_all = has_all && path && stat(path, &found) == 0;
-        }
-        free(path);
+    murk_pose *pose = NULL;
+    size_t n = 0;
+    murk_status status =
+        murk_placement_read(&pose, &n, path, 0, step->world->desc,
+                            &step->world->stage->world.domain, err);
+    if (!status) {
+        status = fill_sensors(step, pose, n, err);
     }
-    return has_all;
+    free(pose);
+    return status;
+}
+
+/* True if the light of a step lies in its folder, as its plan says, or is not
+ * asked for. */
+static bool has_light(const murk_follow *follow, size_t step, const cJSON *plan)
+{
+    char *path = step_path(follow, step, MURK_MAP_FILE_NAME);
+    struct stat found;
+    const bool has = path && at(plan, "files", MURK_MAP_FILE_NAME) &&
+                     stat(path, &found) == 0;
+    free(path);
+    return has || !(follow->session.settings.exports & MURK_EXPORT_LIGHT);
 }
 
 /* Takes a step from the plan that an earlier run has left in its folder. False
@@ -431,33 +484,28 @@ static bool has_exports(const murk_follow *follow, size_t step)
  * short. */
 static bool take_earlier(const murk_follow *follow, step_work *step)
 {
-    char *path = step_path(follow, step->number, "plan.json"), *text = NULL;
+    char *path = step_path(follow, step->number, "plan.json");
     murk_session session = murk_world_session(step->world);
-    size_t size = 0, n = 0;
-    murk_pose *pose = NULL;
-    cJSON *plan = NULL;
-    if (path &&
-        !murk_file_read_own(&text, &size, path, MURK_YAML_MAX_BYTES, NULL)) {
-        plan = cJSON_Parse(text);
-    }
-    /* It must follow from the same input, be whole, and have all files. */
+    cJSON *plan = read_json(follow, step->number, "plan.json"),
+          *ledger = read_json(follow, step->number, "ledger.json");
+    /* It must follow from the same input, be whole, and have its light. */
     const char *identity =
         cJSON_GetStringValue(cJSON_GetObjectItem(plan, "identity"));
+    const char *cut = cJSON_GetStringValue(at(plan, "placement", "cut_by"));
     const bool is_it =
-        identity &&
+        path && identity && ledger &&
         !murk_save_identify(&session, "place", &follow->save, NULL) &&
         strcmp(identity, session.identity) == 0 &&
-        !cJSON_IsString(at(plan, "placement", "cut_by")) &&
-        has_exports(follow, step->number) &&
-        !murk_placement_read(&pose, &n, path, 0, step->world->desc,
-                             &step->world->stage->world.domain, NULL) &&
-        !fill_sensors(step, pose, n, NULL);
+        !(cut && strcmp(cut, "interrupt") == 0) &&
+        has_light(follow, step->number, plan) &&
+        !read_sensors(step, path, NULL);
     if (is_it) {
+        const cJSON *traced = cJSON_GetObjectItem(ledger, "photons_emitted");
         fill_row(step, plan);
+        step->row.photons_traced = (uint64_t)cJSON_GetNumberValue(traced);
     }
+    cJSON_Delete(ledger);
     cJSON_Delete(plan);
-    free(pose);
-    free(text);
     free(path);
     return is_it;
 }
@@ -479,27 +527,50 @@ static void note_failure(step_work *step, const murk_error *why)
              why->where[0] ? ": " : "", why->text);
 }
 
-/* Saves a plan, with the light if that is asked for, and takes its figures. */
+/* Saves a plan, with the light if that is asked for, and takes its figures. Its
+ * sensors are taken from the file, so that a run that goes on has the same. */
 static murk_status save_step(murk_follow *follow, step_work *step,
                              murk_plan *plan, murk_error *err)
 {
-    char *folder = step_path(follow, step->number, NULL);
+    char *folder = step_path(follow, step->number, NULL),
+         *path = step_path(follow, step->number, "plan.json");
     const murk_fields *saved = NULL;
+    /* start.csv belongs to the results; the light only if it is asked for. */
     plan->session.settings.own_input =
-        folder && plan->session.scene->placement.start_plan ? START_FILE : NULL;
+        folder && step->start ? START_FILE : NULL;
     plan->session.settings.leaves_out_light =
         !(follow->session.settings.exports & MURK_EXPORT_LIGHT);
     murk_status status =
-        follow->folder && !folder
+        follow->folder && (!folder || !path)
             ? murk_no_memory(err, "", "for the step")
             : murk_plan_save(plan, folder, &follow->save, &saved, err);
     if (!status) {
+        murk_traced *traced = plan->session.traced;
         fill_row(step, saved->root);
-        status =
-            fill_sensors(step, plan->plan.sensor, plan->plan.place.count, err);
+        step->row.photons_traced =
+            traced && traced->ledger
+                ? (uint64_t)murk_tally_read(&traced->ledger->photons)
+                : 0;
+        status = path ? read_sensors(step, path, err)
+                      : fill_sensors(step, plan->plan.sensor,
+                                     plan->plan.place.count, err);
     }
     free(folder);
+    free(path);
     return status;
+}
+
+/* Warns of a plan of an earlier run in the folder of a step that has none. */
+static void warn_of_earlier(const murk_follow *follow, const step_work *step)
+{
+    char *path = step_path(follow, step->number, "plan.json");
+    struct stat found;
+    if (path && stat(path, &found) == 0) {
+        murk_call call = murk_call_begin(follow->scene->context, NULL, NULL);
+        murk_warn(path, "is of an earlier run: this step has failed now");
+        (void)murk_call_end(&call, MURK_OK);
+    }
+    free(path);
 }
 
 /* Makes the plan of a step, or takes that of an earlier run. A failure that is
@@ -515,17 +586,13 @@ static murk_status make_step(murk_follow *follow, step_work *step,
         return MURK_OK;
     }
     if (!status) {
-        status = murk_plan_make(&plan, step->world, &why);
-    }
-    /* A search that was asked to finish gives a plan that depends on the time
-     * of the signal. */
-    if (!status && plan->plan.place.is_interrupted) {
-        status = MURK_INTERRUPTED;
+        status = murk_plan_make_whole(&plan, step->world, &why);
     }
     if (!status) {
         status = save_step(follow, step, plan, err);
     } else if (is_of_step(status)) {
         note_failure(step, &why);
+        warn_of_earlier(follow, step);
         status = MURK_OK;
     } else {
         murk_call_pass(err, &why);
@@ -555,26 +622,24 @@ static murk_status do_step(murk_follow *follow, step_work *step,
                            murk_error *err)
 {
     murk_scene *scene = NULL;
-    char *start = NULL;
     /* The scene at the time, with the sensors that are left as the start. */
     murk_status status = fail_sensors(follow, step, err);
     if (!status) {
-        status = make_start(follow, step->number, &start, err);
+        status = make_start(follow, step->number, &step->start, err);
     }
     if (!status) {
-        status = scene_at(&scene, follow, step->t_s, start, err);
+        status = scene_at(&scene, follow, step->t_s, step->start, err);
     }
     if (!status) {
         status = make_step(follow, step, scene, err);
     }
-    if (!status && !step->row.failed[0]) {
+    if (!status && !step->row.failed[0] && !step->is_dark) {
         status =
             murk_sequence_take(&follow->sequence, step->number, step->t_s,
                                step->pose, step->poses, &step->row.moved, err);
         follow->has_plan = true;
     }
     murk_scene_destroy(scene);
-    free(start);
     return status ? status
                   : murk_sequence_add(&follow->sequence, &step->row, err);
 }
@@ -611,6 +676,7 @@ murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
         *row = status ? NULL : &follow->row;
     }
     free(step.pose);
+    free(step.start);
     murk_world_destroy(step.world);
     return status;
 }

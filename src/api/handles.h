@@ -146,6 +146,11 @@ struct murk_plan {
     murk_fields fields, saved;
 };
 
+/* murk_plan_make(), except that a request to finish does not end the search
+ * with the best plan so far: the call fails with MURK_INTERRUPTED. */
+murk_status murk_plan_make_whole(murk_plan **out, murk_world *world,
+                                 murk_error *error);
+
 /* Adds the files in memory of a scene, if there are any, to the list of a
  * context, until murk_context_forget_arrays(). All stay in place till then. */
 void murk_context_hold_arrays(murk_context *context, murk_held_arrays *held,

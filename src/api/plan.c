@@ -75,9 +75,11 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
 }
 
 /* Makes a plan over the conditions of the world, or, if there are none to place
- * over, for the given light. light NULL: the light is traced by this call. */
+ * over, for the given light. light NULL: the light is traced by this call.
+ * may_finish: a request to finish ends the search with the best plan so far. */
 static murk_status plan_make(murk_plan **out, murk_world *world,
-                             murk_light *light, murk_error *error)
+                             murk_light *light, bool may_finish,
+                             murk_error *error)
 {
     murk_call call = murk_call_begin(world->context, &world->files, error);
     murk_plan *plan = make(world);
@@ -91,7 +93,7 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
                            "over: each condition has a light of its own; must "
                            "be null to place for a given light");
     } else if (plan) {
-        murk_finish_allow(true);
+        murk_finish_allow(may_finish);
         status = has_conditions ? place_conditions(plan, &call.failure)
                                 : place(plan, light, &call.failure);
         murk_finish_allow(false);
@@ -112,8 +114,15 @@ murk_status murk_plan_make(murk_plan **out, murk_world *world,
     if (out) {
         *out = NULL;
     }
-    return out && world ? plan_make(out, world, NULL, error)
+    return out && world ? plan_make(out, world, NULL, true, error)
                         : murk_call_refuse(error, "out or world is NULL");
+}
+
+murk_status murk_plan_make_whole(murk_plan **out, murk_world *world,
+                                 murk_error *error)
+{
+    *out = NULL;
+    return plan_make(out, world, NULL, false, error);
 }
 
 murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
@@ -122,7 +131,7 @@ murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
     if (out) {
         *out = NULL;
     }
-    return out && light ? plan_make(out, light->world, light, error)
+    return out && light ? plan_make(out, light->world, light, true, error)
                         : murk_call_refuse(error, "out or light is NULL");
 }
 

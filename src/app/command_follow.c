@@ -23,6 +23,11 @@ static void print_row(const murk_fields *row)
                    number(row, "t_s"), failed);
         return;
     }
+    if (isnan(number(row, "coverage"))) {
+        murk_print("%5.0f %10.6g  dark: there is nothing to see\n",
+                   number(row, "step"), number(row, "t_s"));
+        return;
+    }
     murk_print("%5.0f %10.6g %9.4f +- %.4f %9.4f %6.0f %9.2f\n",
                number(row, "step"), number(row, "t_s"), number(row, "coverage"),
                number(row, "standard_error"), number(row, "upper"),
@@ -78,11 +83,9 @@ murk_status murk_command_follow(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = make_steps(follow, options, err);
-        /* Steps that are done are written, too, if later ones are not. */
-        if (status) {
-            (void)murk_follow_save(follow, NULL, NULL);
-        }
     }
+    /* After a failure the steps that are done stay in the folder, and the
+     * tables of an earlier, longer run stay whole. */
     if (!status) {
         status = murk_follow_save(follow, &saved, err);
     }

@@ -152,7 +152,7 @@ const murk_command murk_commands[] = {
      "with 1. Fields, surfaces and photons of --export are listed in "
      "DIR/follow.pvd, which ParaView plays.",
      murk_command_follow, .formats = "murk-scene murk-results",
-     .example = {{"murk follow scenes/smoke-hall-moving.yaml -o out",
+     .example = {{"murk follow scenes/crane-hall.yaml -o out",
                   "A hall in which a crane carries its load past the plume of "
                   "a fire."}},
      .file = {{"follow.json", "the steps, with their figures"},

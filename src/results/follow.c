@@ -13,9 +13,12 @@ void murk_results_list_follow_row(murk_results_fields *f, const void *of,
     const murk_sequence_row *r = s ? &s->row[i] : NULL;
     MURK_COUNT(f, "step", "number, from 0", r->step);
     MURK_NUMBER(f, "t_s", "s", "time of the timeline", r->t_s);
-    MURK_COUNT(f, "photons_traced", "emitted photons that were traced",
+    MURK_COUNT(f, "photons_traced",
+               "photons that were traced, of lights that are on",
                r->photons_traced);
-    MURK_COUNT(f, "photons_kept", "of the step before", r->photons_kept);
+    MURK_COUNT(f, "photons_kept",
+               "taken over from the step before: 0, since each step traces all",
+               r->photons_kept);
     MURK_COUNT(f, "pairs_looked",
                "sightlines between candidates and photons that were tested",
                r->pairs_looked);

@@ -365,6 +365,7 @@ typedef struct murk_scene_sensors {
     size_t types;
     murk_scene_fixed_sensor *fixed;
     size_t n_fixed;
+    size_t fixed_listed; /* n_fixed, with those that have failed */
     bool one_per_site;
     murk_scene_candidates candidates;
     double spacing_m; /* smallest distance between sensors */

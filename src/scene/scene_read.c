@@ -176,6 +176,9 @@ static char *print_key(const murk_key_reader *walk,
     }
     murk_print_map(out, walk->root, is_wanted);
     murk_medium_preset_sign(out, scene);
+    if (is_wanted("geometry") && scene->timeline.given) {
+        fprintf(out, "rounding of the domain\n"); /* world/stage_build.c */
+    }
     if (is_wanted("site") && scene->timeline.given &&
         murk_idle_asks_time(scene)) {
         fprintf(out, "at %.17g s\n", scene->timeline.at_s);
@@ -241,7 +244,10 @@ static murk_status read_condition(murk_scene_condition *condition,
             ? murk_condition_apply(&values, tree, condition->name, err)
             : no_memory(base->path, err);
     if (!status) {
-        status = murk_timeline_apply(tree, err);
+        status = murk_timeline_apply(
+            tree,
+            murk_yaml_get(murk_yaml_get(given, "conditions"), condition->name),
+            err);
     }
     if (status) {
         goto done;
@@ -287,7 +293,7 @@ static murk_status read_tree(reading *r, murk_scene_desc *scene,
         }
     }
     r->walk = (murk_key_reader){.scene = scene, .root = r->root, .err = err};
-    status = murk_timeline_apply(r->root, err);
+    status = murk_timeline_apply(r->root, NULL, err);
     if (!status) {
         status = murk_walk_root(&r->walk, &murk_scene_keys, scene);
     }
@@ -382,15 +388,26 @@ murk_status murk_scene_desc_read(murk_scene_desc **out, const char *path,
                                         err);
 }
 
+murk_status murk_scene_desc_parse_variant(murk_scene_desc **out,
+                                          const char *text, const char *path,
+                                          const murk_override *overrides,
+                                          size_t n_overrides,
+                                          const murk_variant *variant,
+                                          murk_error *err)
+{
+    reading r = {.text = strdup(text), .size = strlen(text)};
+    const murk_status status =
+        r.text ? read_text(&r, out, path, overrides, n_overrides, variant, err)
+               : no_memory(path, err);
+    release(&r);
+    return status;
+}
+
 murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
                                   const char *path,
                                   const murk_override *overrides,
                                   size_t n_overrides, murk_error *err)
 {
-    reading r = {.text = strdup(text), .size = strlen(text)};
-    const murk_status status =
-        r.text ? read_text(&r, out, path, overrides, n_overrides, NULL, err)
-               : no_memory(path, err);
-    release(&r);
-    return status;
+    return murk_scene_desc_parse_variant(out, text, path, overrides,
+                                         n_overrides, NULL, err);
 }

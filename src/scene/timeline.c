@@ -117,8 +117,9 @@ static murk_yaml *between(const murk_yaml *a, const murk_yaml *b, double weight)
 typedef struct changes {
     murk_yaml *root;
     const murk_scene_timeline *timeline;
-    const murk_yaml *tracks; /* list of the tracks, as read by the table */
-    char (*path)[PATH_SIZE]; /* [n] that were set */
+    const murk_yaml *tracks;    /* list of the tracks, as read by the table */
+    const murk_yaml *condition; /* whose values are in place; NULL: none */
+    char (*path)[PATH_SIZE];    /* [n] that were set */
     size_t n;
     murk_error *err;
 } changes;
@@ -128,13 +129,48 @@ static murk_status no_memory(const changes *c)
     return murk_no_memory(c->err, c->timeline->where, "for the timeline");
 }
 
-/* No two tracks may set the same key. */
-static murk_status note_path(changes *c, const char *path, const char *where)
+/* Copies a path with the numbers of items of lists in place of their names. */
+static void canonical(char out[PATH_SIZE], const murk_yaml *root,
+                      const char *path)
 {
+    const murk_yaml *node = root;
+    size_t length = 0;
+    while (*path && length < PATH_SIZE) {
+        const size_t n = strcspn(path, ".");
+        char part[MURK_SCENE_NAME_SIZE];
+        size_t i;
+        snprintf(part, sizeof part, "%.*s", (int)n, path);
+        const bool is_item = node && node->kind == MURK_YAML_LIST &&
+                             murk_key_path_item(node, part, &i);
+        if (is_item) {
+            snprintf(part, sizeof part, "%zu", i);
+        }
+        length += (size_t)snprintf(out + length, PATH_SIZE - length, "%s%s",
+                                   length ? "." : "", part);
+        node = is_item                               ? node->child[i]
+               : node && node->kind == MURK_YAML_MAP ? murk_yaml_get(node, part)
+                                                     : NULL;
+        path += n + (path[n] == '.');
+    }
+}
+
+/* Notes that a track sets a key, which no other track and no value of the
+ * condition may set. */
+static murk_status note_path(changes *c, const char *given, const char *where)
+{
+    char path[PATH_SIZE] = "", other[PATH_SIZE] = "";
+    canonical(path, c->root, given);
     for (size_t i = 0; i < c->n; ++i) {
         if (murk_override_overlap(c->path[i], path)) {
             return murk_fail(c->err, MURK_BAD_VALUE, where,
                              "sets %s, which an earlier track sets, too", path);
+        }
+    }
+    for (size_t i = 0; c->condition && i < c->condition->n; ++i) {
+        canonical(other, c->root, c->condition->key[i]);
+        if (murk_override_overlap(other, path)) {
+            return murk_fail(c->err, MURK_BAD_VALUE, where,
+                             "sets %s, which the condition sets, too", path);
         }
     }
     char(*grown)[PATH_SIZE] = realloc(c->path, (c->n + 1) * sizeof *grown);
@@ -142,7 +178,7 @@ static murk_status note_path(changes *c, const char *path, const char *where)
         return no_memory(c);
     }
     c->path = grown;
-    snprintf(c->path[c->n++], PATH_SIZE, "%s", path);
+    memcpy(c->path[c->n++], path, PATH_SIZE);
     return MURK_OK;
 }
 
@@ -213,9 +249,10 @@ static murk_affine placed(const murk_yaml *item)
 }
 
 /* Moves the positions and directions of a light. */
-static murk_status move_light(const changes *c, murk_yaml *light,
-                              const murk_affine *motion)
+static murk_status move_light(changes *c, const murk_scene_track *track,
+                              size_t number, const murk_affine *motion)
 {
+    murk_yaml *light = murk_yaml_get(c->root, "lights")->child[number];
     const murk_keys *lights = murk_keys_find(&murk_scene_keys, "lights")->keys;
     for (size_t i = 0; i < light->n; ++i) {
         murk_yaml *node = light->child[i];
@@ -224,6 +261,12 @@ static murk_status move_light(const changes *c, murk_yaml *light,
             node->kind != MURK_YAML_LIST || node->n != 3) {
             continue;
         }
+        char path[PATH_SIZE];
+        snprintf(path, sizeof path, "lights.%zu.%s", number, light->key[i]);
+        const murk_status status = note_path(c, path, track->where);
+        if (status) {
+            return status;
+        }
         /* A position is moved and turned, a direction only turned. */
         const murk_vec3 old = vector_or_zero(node),
                         moved = key->is_position
@@ -231,33 +274,34 @@ static murk_status move_light(const changes *c, murk_yaml *light,
                                     : murk_affine_direction(motion, old);
         const double value[3] = {moved.x, moved.y, moved.z};
         for (int k = 0; k < 3; ++k) {
-            murk_yaml *number = number_node(value[k], node->source);
-            if (!number) {
+            murk_yaml *value_node = number_node(value[k], node->source);
+            if (!value_node) {
                 return no_memory(c);
             }
             murk_yaml_destroy(node->child[k]);
-            node->child[k] = number;
+            node->child[k] = value_node;
         }
     }
     return MURK_OK;
 }
 
 /* Moves the lights of a track by the motion of its item. */
-static murk_status move_lights(const changes *c, const murk_scene_track *track,
+static murk_status move_lights(changes *c, const murk_scene_track *track,
                                const murk_affine *old, const murk_affine *new)
 {
-    murk_yaml *lights = murk_yaml_get(c->root, "lights");
+    const murk_yaml *lights = murk_yaml_get(c->root, "lights");
     const size_t n = lights && lights->kind == MURK_YAML_LIST ? lights->n : 0;
     murk_affine back;
     murk_status status = MURK_OK;
-    if (memcmp(old, new, sizeof *old) == 0 || !murk_affine_invert(old, &back)) {
-        return MURK_OK;
+    /* Without motion every bit stays. */
+    murk_affine motion = murk_affine_identity();
+    if (memcmp(old, new, sizeof *old) != 0 && murk_affine_invert(old, &back)) {
+        motion = murk_affine_compose(new, &back);
     }
-    const murk_affine motion = murk_affine_compose(new, &back);
     for (size_t i = 0; i < track->light.n && !status; ++i) {
         const double index = track->light.value[i];
         status = index < (double)n
-                     ? move_light(c, lights->child[(size_t)index], &motion)
+                     ? move_light(c, track, (size_t)index, &motion)
                      : murk_fail(c->err, MURK_BAD_VALUE, track->where,
                                  "lights: %g, but the scene has %zu lights",
                                  index, n);
@@ -408,10 +452,28 @@ static murk_status set_key(changes *c, const murk_scene_track *track)
     while (key->name && !murk_override_overlap(track->key, key->name)) {
         ++key;
     }
-    return key->name && key->is_still
+    const bool is_goal = strcmp(track->key, "sensors.count") == 0 ||
+                         strcmp(track->key, "sensors.target") == 0 ||
+                         strcmp(track->key, "sensors.budget") == 0;
+    return key->name && key->is_still && !is_goal
                ? murk_fail(c->err, MURK_BAD_VALUE, track->where,
                            "key: %s must be the same at all times", track->key)
                : put_member(c, track, "value", track->key);
+}
+
+/* Says of a fixed sensor whether it has failed by now. */
+static murk_status set_failed(changes *c, const murk_scene_track *track)
+{
+    char path[PATH_SIZE];
+    murk_yaml *failed = murk_yaml_make(MURK_YAML_SCALAR, c->root->source);
+    const bool has_failed = c->timeline->at_s >= track->fails_at_s;
+    if (failed && !murk_yaml_set_text(failed, has_failed ? "true" : "false")) {
+        murk_yaml_destroy(failed);
+        failed = NULL;
+    }
+    snprintf(path, sizeof path, "sensors.fixed.%zu.failed",
+             (size_t)track->sensor);
+    return put(c, track, path, failed);
 }
 
 /* Moves a fixed sensor, or marks it as failed. Of the other sensors of a plan
@@ -426,6 +488,15 @@ static murk_status set_sensor(changes *c, const murk_scene_track *track)
     const size_t n = fixed && fixed->kind == MURK_YAML_LIST ? fixed->n : 0;
     murk_status status = MURK_OK;
     char path[PATH_SIZE];
+    /* The number of the sensor is noted like a path, so that no two tracks end
+     * the same one. */
+    snprintf(path, sizeof path, "sensor.%zu", (size_t)track->sensor);
+    if (track->fails) {
+        status = note_path(c, path, track->where);
+    }
+    if (status) {
+        return status;
+    }
     if (track->sensor >= n) {
         return track->keyframes == 0
                    ? MURK_OK
@@ -439,18 +510,7 @@ static murk_status set_sensor(changes *c, const murk_scene_track *track)
                  (size_t)track->sensor, members[i]);
         status = put_member(c, track, members[i], path);
     }
-    if (status || !track->fails || c->timeline->at_s < track->fails_at_s) {
-        return status;
-    }
-    /* It has failed by now. */
-    murk_yaml *failed = murk_yaml_make(MURK_YAML_SCALAR, c->root->source);
-    if (failed && !murk_yaml_set_text(failed, "true")) {
-        murk_yaml_destroy(failed);
-        failed = NULL;
-    }
-    snprintf(path, sizeof path, "sensors.fixed.%zu.failed",
-             (size_t)track->sensor);
-    return put(c, track, path, failed);
+    return status || !track->fails ? status : set_failed(c, track);
 }
 
 /* ---- all tracks ---- */
@@ -511,7 +571,8 @@ static void end(read_tree *tree)
     murk_yaml_destroy(tree->node);
 }
 
-murk_status murk_timeline_apply(murk_yaml *root, murk_error *err)
+murk_status murk_timeline_apply(murk_yaml *root, const murk_yaml *condition,
+                                murk_error *err)
 {
     read_tree tree;
     murk_status status = begin(&tree, root, err);
@@ -519,6 +580,7 @@ murk_status murk_timeline_apply(murk_yaml *root, murk_error *err)
         changes c = {.root = root,
                      .timeline = &tree.scene->timeline,
                      .tracks = murk_yaml_get(tree.node, "tracks"),
+                     .condition = condition,
                      .err = err};
         status = apply_tracks(&c);
         free(c.path);
@@ -608,6 +670,7 @@ void murk_timeline_finish(murk_scene_desc *scene)
     for (size_t i = 0; i < scene->n_lights; ++i) {
         scene->lights[i].site.unix_s += t_s;
     }
+    sensors->fixed_listed = sensors->n_fixed;
     for (size_t i = 0; i < sensors->n_fixed; ++i) {
         if (!sensors->fixed[i].is_failed) {
             sensors->fixed[n++] = sensors->fixed[i];

@@ -12,10 +12,12 @@
 #include "scene/yaml.h"
 
 /* Puts the values of the time timeline.at_s, or without that key of the first
- * step, in place. Does nothing without the key `timeline`. Fails with
- * MURK_BAD_VALUE or MURK_BAD_FILE at the place of the track, or with
- * MURK_NO_MEMORY. */
-murk_status murk_timeline_apply(murk_yaml *root, murk_error *err);
+ * step, in place. Does nothing without the key `timeline`. condition: the map
+ * of the condition whose values are in place; no track may set a key of it.
+ * NULL: none. Fails with MURK_BAD_VALUE or MURK_BAD_FILE at the place of the
+ * track, or with MURK_NO_MEMORY. */
+murk_status murk_timeline_apply(murk_yaml *root, const murk_yaml *condition,
+                                murk_error *err);
 
 /* If the tree has a timeline and places over conditions, but has none, adds a
  * condition for each step: `step-0000`, with timeline.at_s, and so on. So a

@@ -30,4 +30,12 @@ murk_scene_desc_read_variant(murk_scene_desc **out, const char *path,
                              const murk_override *overrides, size_t n_overrides,
                              const murk_variant *variant, murk_error *err);
 
+/* murk_scene_desc_parse() for a variant. */
+murk_status murk_scene_desc_parse_variant(murk_scene_desc **out,
+                                          const char *text, const char *path,
+                                          const murk_override *overrides,
+                                          size_t n_overrides,
+                                          const murk_variant *variant,
+                                          murk_error *err);
+
 #endif

@@ -38,8 +38,8 @@ lights:
   - {type: point, position_m: [2, 4, 2.5], power_w: 5}
 photons: {emit: 3000}
 sensors:
-  types: [{name: node, range_m: 6}]
-  fixed: [{position_m: [11, 7, 3]}]
+  types: [{name: node, range_m: 6}, {name: eye, range_m: 8, view: {cone_deg: 100}, headings: 7}]
+  fixed: [{type: node, position_m: [11, 7, 3]}]
   candidates: {grid: {min_m: [1, 1, 1], max_m: [11, 7, 3], size: [6, 4, 3]}}
   count: 4
 """
@@ -103,7 +103,8 @@ def steps_are_plans(folder, scene, method):
         check(bytes_of(step, "light.murk") == bytes_of(light, "light.murk"), method, "light of step", k)
         check(float(row["coverage"]) == ours["coverage"]["held_out"], "coverage of step", k)
         check(float(row["upper"]) == ours["bound"]["upper"], "bound of step", k)
-        check(int(row["photons_traced"]) + int(row["photons_kept"]) == 3000, "photons of step", k)
+        traced = json.loads(bytes_of(alone, "ledger.json"))["photons_emitted"]
+        check(int(row["photons_traced"]) + int(row["photons_kept"]) == traced, "photons of step", k)
         shutil.rmtree(alone), shutil.rmtree(light)
     return out
 
@@ -111,22 +112,25 @@ def steps_are_plans(folder, scene, method):
 def moves_are_differences(out):
     """moves.csv, applied to the plan of a step, gives the plan of the next."""
     rows, moves = table(out, "follow.csv"), table(out, "moves.csv")
-    sensors, before = {}, set()
+    sensors = {}
     for k, row in enumerate(rows):
         for move in (move for move in moves if int(move["step"]) == k):
             to = tuple(float(move[f"to_{axis}_m"]) for axis in "xyz") if move["to_x_m"] else None
             was = tuple(float(move[f"from_{axis}_m"]) for axis in "xyz") if move["from_x_m"] else None
-            check(sensors.get(move["sensor"]) == was, "sensor", move["sensor"], "was at", was, "at step", k)
+            check((sensors.get(move["sensor"]) or (None, None))[0] == was, "sensor", move["sensor"], "was at", was)
             check((to is None) == (move["change"] in ("removed", "failed")), "change", move)
             sensors.pop(move["sensor"], None)
             if to:
-                sensors[move["sensor"]] = to
-        plan = {tuple(float(sensor[f"{axis}_m"]) for axis in "xyz")
-                for sensor in table(out, f"steps/{k:04}", "sensors.csv")}
-        planned = plan - {(11, 7, 3)} # the fixed sensor, which no candidate joins
-        check(set(sensors.values()) == planned, "sensors of step", k, sensors, planned)
-        check(int(row["moved"]) == len(planned - before) + 0, "moved of step", k, row["moved"])
-        before = planned
+                sensors[move["sensor"]] = (to, move["heading_deg"])
+        plan = sorted((tuple(float(sensor[f"{axis}_m"]) for axis in "xyz"), sensor["heading_deg"])
+                      for sensor in table(out, f"steps/{k:04}", "sensors.csv"))
+        planned = [sensor for sensor in plan if sensor[0] != (11, 7, 3)]  # without the fixed one
+        close = len(planned) == len(sensors) and all(
+            a[0] == b[0] and (a[1] == b[1] or abs(float(a[1]) - float(b[1])) < 1e-9)
+            for a, b in zip(sorted(sensors.values()), planned))
+        check(close, "sensors of step", k, sensors, planned)
+        check(int(row["moved"]) == sum(move["step"] == str(k) and move["change"] in ("added", "moved") for move in moves),
+              "moved of step", k, row["moved"])
         count = 4 if float(row["t_s"]) < 9 else 3
         check(len(plan) == count, "sensors at step", k, "are", len(plan))
     failed = [move for move in moves if move["change"] == "failed"]
@@ -181,6 +185,8 @@ def wrong_steps_say_so(folder, scene):
                 "geometry: lode is no name"),
                (["--set", "timeline.times_s=[3, 2]"], "must rise"),
                (["--set", "placement.over=mean", "--set", "conditions={a: {}}"], "does not follow a timeline"),
+               (["--set", "placement.knowledge=explore", "--set", "placement.start_m=[1, 1, 1]"], "knowledge: explore"),
+               (["--set", "timeline.tracks=[{key: sensors.types, keyframes: [{t_s: 0, value: 1}]}]"], "at all times"),
                (["--export", "smoke"], "is not an export")]
     for words, text in refused:
         done = run("follow", scene, *words, code=2)
@@ -189,6 +195,27 @@ def wrong_steps_say_so(folder, scene):
         file.write(SCENE[:SCENE.index("timeline")] + SCENE[SCENE.index("geometry:\n"):])
     done = run("follow", os.path.join(folder, "still.yaml"), code=2)
     check("has no timeline" in done.stderr, done.stderr)
+
+
+def dark_steps_keep_the_sensors(folder, scene):
+    """A step without light has no plan of its own; the next one begins at the sensors before it."""
+    out = os.path.join(folder, "dark")
+    lamps = ", ".join(f"{{key: lights.{i}.power_w, between: hold, keyframes: [{{t_s: 0, value: 9}}, {{t_s: 3, value: 0}}, "
+                      "{t_s: 6, value: 9}]}" for i in range(2))
+    run("follow", scene, "-o", out, "--set", f"timeline.tracks=[{lamps}]", "--set", "placement.method=best")
+    rows, moves = table(out, "follow.csv"), table(out, "moves.csv")
+    check(rows[1]["coverage"] == "" and not rows[1]["failed"] and rows[1]["photons_traced"] == "0", "a dark step", rows[1])
+    check([row["moved"] for row in rows] == ["3", "0", "0", "0", "0"], "moved in the dark", rows)
+    check(len(moves) == 3, "moves in the dark", moves)
+
+
+def a_start_of_ones_own(folder, scene, whole):
+    """placement.start_plan is where the first step begins."""
+    start, out = os.path.join(folder, "mine.csv"), os.path.join(folder, "own")
+    shutil.copy(os.path.join(whole, "steps/0004/sensors.csv"), start)
+    run("follow", scene, "-o", out, "--set", f"placement.start_plan={start}", "--set", "timeline.to_s=3")
+    check("started_from" in plan_of(os.path.join(out, "steps/0000"))["placement"], "a start of one's own")
+    check(not os.path.exists(os.path.join(out, "steps/0000/start.csv")), "start.csv of step 0")
 
 
 def prints_without_a_folder(scene, whole):
@@ -217,6 +244,8 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     moves_are_differences(made)
     goes_on(top, path, made)
     wrong_steps_say_so(top, path)
+    dark_steps_keep_the_sensors(top, path)
+    a_start_of_ones_own(top, path, made)
     prints_without_a_folder(path, made)
     viewers(top, path)
 sys.exit(1 if failures else 0)

@@ -104,8 +104,8 @@ static difference compare(const char *track)
 
 static void test_nothing_changes(void)
 {
-    const difference d = compare("{key: placement.threshold, keyframes: [{t_s: "
-                                 "0, value: 0.1}, {t_s: 10, value: 0.9}]}");
+    const difference d = compare("{key: cameras, keyframes: [{t_s: 0, value: "
+                                 "[]}]}");
     CHECK(d.changed == 0);
 }
 

@@ -86,15 +86,16 @@ static void test_lists_are_interpolated_and_words_hold(void)
     const char text[] =
         AT("{key: lights.0.position_m, keyframes: [{t_s: 0, value: [0, 4, 8]},"
            "  {t_s: 10, value: [1, 0, 8]}]},"
-           "{key: placement.detection, keyframes: [{t_s: 0, value: weighted},"
-           "  {t_s: 10, value: threshold}]}") LAMP;
+           "{key: media.fog.phase, keyframes: [{t_s: 0, value: isotropic},"
+           "  {t_s: 10, value: rayleigh}]}") "media: {fog: {extinction_per_m: "
+                                             "1, albedo: 1}}\n" LAMP;
     murk_scene_desc *scene = read_at(text, "5");
     const murk_vec3 p = scene->lights[0].position;
     CHECK(p.x == 0.5 && p.y == 2 && p.z == 8);
-    CHECK(scene->placement.detection == MURK_DETECTION_WEIGHTED);
+    CHECK(scene->media[0].phase[0].kind == MURK_PHASE_HG);
     murk_scene_desc_destroy(scene);
     scene = read_at(text, "10");
-    CHECK(scene->placement.detection == MURK_DETECTION_THRESHOLD);
+    CHECK(scene->media[0].phase[0].kind == MURK_PHASE_RAYLEIGH);
     murk_scene_desc_destroy(scene);
 }
 
@@ -213,6 +214,10 @@ static void test_sensors_drift_and_fail(void)
     murk_scene_desc *again = read_at(scene->resolved, NULL);
     CHECK(again->sensors.n_fixed == 1 && again->sensors.count == 3);
     murk_scene_desc_destroy(again);
+    /* The scene as resolved after a failure has the sensor before it. */
+    again = read_at(scene->resolved, "5");
+    CHECK(again->sensors.n_fixed == 2 && again->sensors.count == 4);
+    murk_scene_desc_destroy(again);
     murk_scene_desc_destroy(scene);
 }
 
@@ -244,6 +249,18 @@ static void test_clocks_run(void)
     CHECK(strcmp(late->whole_key, early->whole_key) != 0);
     murk_scene_desc_destroy(late);
     murk_scene_desc_destroy(early);
+}
+
+/* Rounding is that of the domain in a scene with a timeline, so its light is
+ * another than without one. */
+static void test_light_of_a_timeline_is_its_own(void)
+{
+    murk_scene_desc *with = read_at(AT("") LAMP, NULL);
+    murk_scene_desc *without = read_at(HEAD BOX LAMP, NULL);
+    CHECK(strcmp(with->light_key, without->light_key) != 0);
+    CHECK(strcmp(with->world_key, without->world_key) != 0);
+    murk_scene_desc_destroy(with);
+    murk_scene_desc_destroy(without);
 }
 
 static void test_conditions_are_times(void)
@@ -316,6 +333,7 @@ static void test_names_stand_for_indices(void)
 #define TRACKS(tracks) \
     BOX "timeline: {from_s: 0, to_s: 1, every_s: 1, tracks: [" tracks "]}\n"
 #define TRACK_0 "fog.yaml:3:53: timeline.tracks.0"
+#define MOVE    "keyframes: [{t_s: 0, translate_m: [0, 0, 0]}]"
 #define FRAMES  "keyframes: [{t_s: 0, value: 1}]"
 
 static void test_refusals(void)
@@ -347,6 +365,11 @@ static void test_refusals(void)
          "value is no key of the keyframes of such a track"},
         {TRACKS("{key: seed, " FRAMES "}"), VALUE, TRACK_0,
          "key: seed must be the same at all times"},
+        {TRACKS("{key: sensors.types, " FRAMES "}"), VALUE, TRACK_0,
+         "key: sensors.types must be the same at all times"},
+        {TRACKS("{sensor: 3, fails_at_s: 1}, {sensor: 3, fails_at_s: 2}"),
+         VALUE, "fog.yaml:3:81: timeline.tracks.1",
+         "sets sensor.3, which an earlier track sets, too"},
         {TRACKS("{key: domain.max_m, " FRAMES "}"), VALUE, TRACK_0,
          "key: domain.max_m must be the same at all times"},
         {TRACKS("{key: lights.0.pover_w, " FRAMES "}"), VALUE, TRACK_0,
@@ -374,6 +397,26 @@ static void test_refusals(void)
                   VALUE, "fog.yaml:3:54: timeline.tracks.0",
                   "sensor: 1 has keyframes, which only the 1 of sensors.fixed "
                   "may have");
+    /* A name and an index are the same key; a light moves with one item, and a
+     * condition does not set what a track sets. */
+    CHECK_REFUSED(AT("{geometry: load, " MOVE "}, {key: "
+                     "geometry.1.translate_m, keyframes: [{t_s: 0, value: [0, "
+                     "0, 0]}]}") LOAD LAMP,
+                  VALUE, "fog.yaml:3:119: timeline.tracks.1",
+                  "sets geometry.1.translate_m, which an earlier track sets, "
+                  "too");
+    CHECK_REFUSED(AT("{geometry: 0, lights: [0], " MOVE "}, {geometry: 1, "
+                     "lights: [0], " MOVE "}") LOAD LAMP,
+                  VALUE, "fog.yaml:3:129: timeline.tracks.1",
+                  "sets lights.0.position_m, which an earlier track sets, too");
+    CHECK_REFUSED(AT("{geometry: 0, lights: [0], " MOVE "}") LOAD LAMP
+                  "conditions: {a: {lights.0.position_m: [1, 1, 1]}}\n",
+                  VALUE, "fog.yaml:3:54: timeline.tracks.0",
+                  "sets lights.0.position_m, which the condition sets, too");
+    CHECK_REFUSED(AT("{geometry: load, " MOVE "}") LOAD LAMP
+                  "conditions: {a: {geometry.1.translate_m: [1, 1, 1]}}\n",
+                  VALUE, "fog.yaml:3:54: timeline.tracks.0",
+                  "sets geometry.1.translate_m, which the condition sets, too");
     /* Before the first file of a sequence there is no grid. */
     CHECK_REFUSED(AT("{medium: plume, from_s: 3, every_s: 1}") PLUME LAMP,
                   VALUE, "fog.yaml:3:54: timeline.tracks.0",
@@ -392,6 +435,7 @@ int main(void)
     test_sequences_of_grids();
     test_sensors_drift_and_fail();
     test_clocks_run();
+    test_light_of_a_timeline_is_its_own();
     test_conditions_are_times();
     test_steps_are_conditions();
     test_names_stand_for_indices();
