@@ -40,7 +40,7 @@ int main(void)
 
 /* Prints:
  *
- *  0 s: 0.9
- * 10 s: 0.9
+ *  0 s: 0.8
+ * 10 s: 0.8
  * 2 steps
  */
