@@ -36,11 +36,11 @@ regions: [{medium: fog}]
 lights:
   - {type: point, position_m: [6, 4, 3.8], power_w: 20}
   - {type: point, position_m: [2, 4, 2.5], power_w: 5}
-photons: {emit: 3000}
+photons: {emit: 1500}
 sensors:
   types: [{name: node, range_m: 6}, {name: eye, range_m: 8, view: {cone_deg: 100}, headings: 7}]
   fixed: [{type: node, position_m: [11, 7, 3]}]
-  candidates: {grid: {min_m: [1, 1, 1], max_m: [11, 7, 3], size: [6, 4, 3]}}
+  candidates: {grid: {min_m: [1, 1, 1], max_m: [11, 7, 3], size: [6, 4, 2]}}
   count: 4
 """
 
@@ -162,7 +162,7 @@ def goes_on(folder, scene, whole):
     run("follow", scene, "-o", killed, *words)
     check(without_seconds(killed, "follow.csv") == without_seconds(whole, "follow.csv"), "follow.csv after kill -9")
     check(bytes_of(killed, "moves.csv") == bytes_of(whole, "moves.csv"), "moves.csv after kill -9")
-    for threads in ("1", "5"):
+    for threads in ("5",):
         other = os.path.join(folder, "threads" + threads)
         run("follow", scene, "-o", other, "-j", threads, *words)
         check(without_seconds(other, "follow.csv") == without_seconds(whole, "follow.csv"), threads, "threads")
