@@ -736,6 +736,21 @@ static murk_status write_pvd(FILE *to, const void *context, murk_error *err)
 
 #define VIEWED (MURK_EXPORT_SURFACES | MURK_EXPORT_PHOTONS | MURK_EXPORT_FIELDS)
 
+/* Tells of steps of an earlier run with more steps, which stay in the folder.
+ */
+static void note_longer(const murk_follow *follow)
+{
+    char *path = step_path(follow, follow->steps, "plan.json");
+    struct stat found;
+    if (path && stat(path, &found) == 0) {
+        murk_note(path,
+                  "is of an earlier run, as are later steps: this "
+                  "timeline has %zu",
+                  follow->steps);
+    }
+    free(path);
+}
+
 /* A murk_save_work (api/save.h). */
 static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
@@ -744,6 +759,7 @@ static murk_status save(void *of, murk_session *session,
     murk_follow *follow = of;
     const murk_follow_results results = results_of(follow);
     (void)late; /* of exports, which the steps have */
+    note_longer(follow);
     murk_status status = begin_files(session, err);
     if (!status) {
         status = murk_save_identify(session, "follow", options, err);
