@@ -60,7 +60,7 @@ const murk_option murk_option_table[] = {
      "the best sensors whose costs come to B at most; replaces the scene's "
      "count",
      .kind = MURK_OPTION_TEXT, .key = "sensors.budget"},
-    {"--start", NULL, "FILE", "check place",
+    {"--start", NULL, "FILE", "check place follow",
      "begin the search at this plan, a plan.json or sensors.csv, in place of "
      "random starts: a short search that improves an earlier plan",
      .kind = MURK_OPTION_TEXT, .key = "placement.start_plan"},
@@ -201,7 +201,7 @@ const murk_option murk_option_table[] = {
     {"--rows", NULL, "COLUMN=VALUE", "media",
      "these rows of the profile only, such as one cast of many",
      .kind = MURK_OPTION_TEXT, .setting = "rows", .part = MURK_OPTION_AS_TEXT},
-    {"--voxel", NULL, "M", "media trace place sense",
+    {"--voxel", NULL, "M", "media trace place sense follow",
      "media: height of the grid's voxels in m; default: a hundredth of the "
      "profile. With --export: edge in m, at most, of the voxels of fields and "
      "of the pieces of surfaces; default: some 100,000 voxels, and pieces of "
