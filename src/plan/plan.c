@@ -64,10 +64,13 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
     }
     if (settings->count < 1 && !(settings->target > 0) &&
         !(settings->budget > 0)) {
-        return murk_fail(
-            err, MURK_BAD_VALUE, settings->where,
-            "count: not given; give sensors.count, sensors.target or "
-            "sensors.budget");
+        return settings->all_failed
+                   ? murk_fail(err, MURK_BAD_VALUE, settings->where,
+                               "count: all sensors have failed at %g s",
+                               stage->scene->timeline.at_s)
+                   : murk_fail(err, MURK_BAD_VALUE, settings->where,
+                               "count: not given; give sensors.count, "
+                               "sensors.target or sensors.budget");
     }
     if (stage->scene->photons.maps == MURK_SCENE_MAPS_NONE &&
         (!stage->scene->placement.targets.given || by_power)) {

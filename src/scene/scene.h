@@ -369,7 +369,8 @@ typedef struct murk_scene_sensors {
     bool one_per_site;
     murk_scene_candidates candidates;
     double spacing_m; /* smallest distance between sensors */
-    uint64_t count;   /* 0: not given */
+    uint64_t count;   /* 0: not given, or all have failed */
+    bool all_failed;  /* a count was given, and so many sensors have failed */
     double target;    /* coverage 0..1; 0: not given */
     double budget;    /* in the units of the types' costs; 0: not given */
 } murk_scene_sensors;

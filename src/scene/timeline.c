@@ -678,5 +678,8 @@ void murk_timeline_finish(murk_scene_desc *scene)
     }
     sensors->n_fixed = n;
     const uint64_t failed = count_failed(&scene->timeline);
-    sensors->count -= failed < sensors->count ? failed : sensors->count;
+    sensors->all_failed = sensors->count > 0 && failed >= sensors->count;
+    if (sensors->count > 0) {
+        sensors->count -= sensors->all_failed ? sensors->count : failed;
+    }
 }
