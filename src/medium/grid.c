@@ -54,6 +54,8 @@ typedef struct job {
     double index_to_world[12]; /* three rows of four */
     bool as_tiles, is_albedo;
     const char *where, *next_where; /* places of both files */
+    const char *read_where; /* place of a failure to read that does not tell
+                             * which of the files is to blame */
 } job;
 
 /* In the process that parses the file: sends the header, then the grid. */
@@ -267,7 +269,7 @@ static murk_status run(murk_grid **out, const murk_subprocess_job *kind, job *j,
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =
-        murk_subprocess_do(&sent, &size, kind, j, &limits, j->where, err);
+        murk_subprocess_do(&sent, &size, kind, j, &limits, j->read_where, err);
     if (!status) {
         status = build_received(out, sent, size, j, err);
     }
@@ -358,12 +360,16 @@ static murk_status read_files(murk_grid **out, job *j, murk_error *err)
 static murk_status read_grid(murk_grid **out, job *j, const char *where,
                              murk_error *err)
 {
-    char place[sizeof err->where], next_place[sizeof err->where];
+    char place[sizeof err->where], next_place[sizeof err->where],
+        both[sizeof err->where];
     snprintf(place, sizeof place, "%s: %s", where, j->path);
     snprintf(next_place, sizeof next_place, "%s: %s", where,
              j->next ? j->next : "");
+    snprintf(both, sizeof both, "%s: %s or %s", where, j->path,
+             j->next ? j->next : "");
     j->where = place;
     j->next_where = next_place;
+    j->read_where = j->next ? both : place;
     const murk_status status =
         murk_memory_is(j->path)
             ? read_memory(out, j->path, j->is_albedo, place, err)
