@@ -12,12 +12,10 @@
 #include "cases/sequence.h"
 #include "plan/placement_in.h"
 #include "results/follow.h"
-#include "results/identity.h"
 #include "results/plan.h"
 #include "scene/override.h"
 #include "scene/timeline.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
