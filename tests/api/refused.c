@@ -63,6 +63,8 @@ static int cancel(void *user, murk_batch *batch)
       "has a text, must be a scene of murk_scene_create()")                    \
     X(study, murk_study_read, (&out, g->context, NULL, NULL, &error),          \
       (&out, g->context, "no-such-study.yaml", NULL, &error), "cannot read")   \
+    X(follow, murk_follow_create, (&out, NULL, NULL, NULL, &error),            \
+      (&out, g->scene, NULL, NULL, &error), "has no timeline")                 \
     X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),     \
       (&out, g->scene, "no-such-data.csv", keys, 1, NULL, &error),             \
       "cannot read")                                                           \
