@@ -1,0 +1,19 @@
+/* The places at which two sets of surfaces differ. */
+#ifndef MURK_GEOMETRY_CHANGED_SURFACES_H
+#define MURK_GEOMETRY_CHANGED_SURFACES_H
+
+#include "base/box_list.h"
+#include "base/status.h"
+#include "geometry/surfaces.h"
+
+/* Adds the boxes of all triangles and spheres that only one of two sets has, or
+ * that are thin sheets of another transmittance. A segment that does not meet
+ * the boxes, enlarged by 2 murk_surfaces_leave_step_m(), has the same answers
+ * in both sets, in every bit: blocked or not, and the transmittance of sheets.
+ * Sets whose rounding differs (murk_surfaces_create_within()) differ
+ * everywhere. Fails with MURK_NO_MEMORY. */
+murk_status murk_changed_surfaces(murk_box_list *changed,
+                                  const murk_surfaces *a,
+                                  const murk_surfaces *b, murk_error *err);
+
+#endif
