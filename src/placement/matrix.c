@@ -21,6 +21,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* With fewer photons murk_matrix_create() merges nothing: the rows are so short
  * that calling the kernels takes longer than the loops over words that merging
@@ -321,9 +322,10 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         status = fill(matrix, problem, bytes_max > memory_bytes, hash, err);
     }
     if (!status && hash) {
-        status = murk_merge(&matrix->layout, matrix->row, matrix->space,
-                            matrix->is_distributed, problem, hash,
-                            merging == MURK_MERGE_ALWAYS, err);
+        status = murk_merge(
+            &matrix->layout, matrix->row, matrix->space, matrix->is_distributed,
+            problem, hash, merging == MURK_MERGE_ALWAYS,
+            problem->has_columns ? &matrix->representative : NULL, err);
         hash = NULL; /* murk_merge() has freed it */
         murk_machine_trim();
     }
@@ -384,6 +386,7 @@ void murk_matrix_destroy(murk_matrix *matrix)
         }
         free(matrix->space);
         free(matrix->row);
+        free(matrix->representative);
         murk_fetched_rows_destroy(matrix->fetched);
     }
     murk_layout_release(&matrix->layout);
@@ -399,4 +402,38 @@ size_t murk_matrix_bytes(const murk_matrix *matrix)
 {
     return sizeof *matrix + matrix->candidates * sizeof *matrix->row +
            (size_t)murk_row_space_bytes(matrix->space);
+}
+
+uint64_t murk_matrix_memory(const murk_matrix *matrix)
+{
+    return (uint64_t)murk_tally_read(&matrix->space->memory);
+}
+
+size_t murk_matrix_slots(const murk_matrix *matrix)
+{
+    return matrix->layout.slots;
+}
+
+size_t murk_matrix_slot(const murk_matrix *matrix, uint32_t photon)
+{
+    return murk_layout_slot(
+        &matrix->layout,
+        matrix->representative ? matrix->representative[photon] : photon);
+}
+
+bool murk_matrix_spread(uint16_t *clarity, const murk_matrix *matrix,
+                        size_t candidate)
+{
+    if (!murk_matrix_has(matrix, candidate)) {
+        return false;
+    }
+    const murk_row *row = murk_matrix_row(matrix, candidate);
+    size_t slot;
+    uint16_t entry;
+    memset(clarity, 0, matrix->layout.slots * sizeof *clarity);
+    for (murk_row_walk walk = murk_row_begin(&matrix->layout, row);
+         murk_row_next(&walk, &slot, &entry);) {
+        clarity[slot] = entry;
+    }
+    return true;
 }

@@ -20,6 +20,9 @@ struct murk_matrix {
     bool borrows_rows; /* row and space belong to another matrix */
     bool is_binary;    /* each row is BITS or CLEAR_LIST */
     bool is_distributed;
+    uint32_t *representative;   /* [photons of the problem] the number of each
+                                   photon in the layout; NULL: the photons
+                                   were not merged, or nobody asks */
     murk_fetched_rows *fetched; /* of a distributed matrix; of another matrix if
                                    borrows_rows */
     uint64_t pairs;             /* entries of all rows that are not 0 */

@@ -317,6 +317,25 @@ static bool allocate_scratch(merging *m)
     return !m->arena.is_short;
 }
 
+/* The representative of each photon: the first one of its group. The caller
+ * frees the result; NULL when out of memory. */
+static uint32_t *list_representatives(const merging *m)
+{
+    uint32_t *of_group = malloc((m->groups + 1) * sizeof *of_group);
+    uint32_t *out = of_group ? malloc((m->photons + 1) * sizeof *out) : NULL;
+    for (size_t i = m->photons; out && i-- > 0;) {
+        const size_t slot = murk_layout_slot(m->old, (uint32_t)i);
+        if (m->number[slot] != MERGED_AWAY) {
+            of_group[m->group[slot]] = m->number[slot];
+        }
+    }
+    for (size_t i = 0; out && i < m->photons; ++i) {
+        out[i] = of_group[m->group[murk_layout_slot(m->old, (uint32_t)i)]];
+    }
+    free(of_group);
+    return out;
+}
+
 /* Rewrites the rows in the new layout, and exchanges the layouts. */
 static void rewrite(merging *m)
 {
@@ -353,7 +372,8 @@ static murk_status agree_on(bool *is, bool is_distributed, murk_status status,
 murk_status murk_merge(murk_layout *layout, murk_row *row,
                        murk_row_space *space, bool is_distributed,
                        const murk_problem *problem, _Atomic uint64_t *hash,
-                       bool is_forced, murk_error *err)
+                       bool is_forced, uint32_t **representative,
+                       murk_error *err)
 {
     merging m;
     murk_status status = MURK_OK;
@@ -384,6 +404,10 @@ murk_status murk_merge(murk_layout *layout, murk_row *row,
     bool is_sound = pays && murk_tally_read(&m.mismatches) == 0;
     status = status ? status : murk_interrupt_check(err);
     status = agree_on(&is_sound, is_distributed, status, err);
+    if (is_sound && !status && representative) {
+        *representative = list_representatives(&m);
+        status = *representative ? MURK_OK : no_memory(problem, err);
+    }
     if (is_sound && !status) {
         rewrite(&m);
         status = murk_tally_read(&m.out_of_memory) == 0

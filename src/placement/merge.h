@@ -25,11 +25,15 @@ void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
  * nothing is merged. is_distributed: each rank has the rows of its own
  * candidates alone, and merges if all ranks can; collective then. Takes
  * ownership of hash (from malloc()) and frees it as soon as photons are
- * grouped. Fails with MURK_NO_MEMORY or MURK_INTERRUPTED, or with
- * MURK_RUN_FAILED if the scratch file of the rows cannot take them. */
+ * grouped. If photons were merged and `representative` is not NULL,
+ * *representative receives an array [photons of the problem], for free(): the
+ * number of each photon, or of one with an equal column, in the new layout.
+ * Fails with MURK_NO_MEMORY or MURK_INTERRUPTED, or with MURK_RUN_FAILED if the
+ * scratch file of the rows cannot take them. */
 murk_status murk_merge(murk_layout *layout, murk_row *row,
                        murk_row_space *space, bool is_distributed,
                        const murk_problem *problem, _Atomic uint64_t *hash,
-                       bool is_forced, murk_error *err);
+                       bool is_forced, uint32_t **representative,
+                       murk_error *err);
 
 #endif

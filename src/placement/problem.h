@@ -101,6 +101,7 @@ typedef struct murk_problem {
     unsigned threads;
     bool is_distributed; /* ranks distribute the matrix, whatever its size
                             (placement/matrix.h); for tests */
+    bool has_columns;    /* murk_matrix_slot() will be asked for the photons */
     bool is_reweighed;   /* the matrix will get other weights
                             (murk_matrix_reweigh), so photons with equal columns
                             are not merged */
@@ -157,5 +158,17 @@ murk_matrix_pairs(const murk_matrix *matrix); /* entries that are not 0 */
 /* The bytes of the rows that this rank stores, in memory and in the scratch
  * file. */
 size_t murk_matrix_bytes(const murk_matrix *matrix);
+/* The bytes of those rows that lie in memory. */
+uint64_t murk_matrix_memory(const murk_matrix *matrix);
+
+/* The entries of a stored row by slot, of which a matrix has
+ * murk_matrix_slots(): fills clarity[slots], 0 where the row has no entry.
+ * False if another rank stores the row. murk_matrix_slot() is the slot of a
+ * photon of the problem, with has_columns only; photons with equal columns may
+ * have the same slot. May be called from any thread. */
+size_t murk_matrix_slots(const murk_matrix *matrix);
+size_t murk_matrix_slot(const murk_matrix *matrix, uint32_t photon);
+bool murk_matrix_spread(uint16_t *clarity, const murk_matrix *matrix,
+                        size_t candidate);
 
 #endif

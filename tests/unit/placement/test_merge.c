@@ -88,7 +88,7 @@ static void test_prints_are_checked(void)
                            &err) == MURK_OK);
     _Atomic uint64_t *hash = calloc(m->problem.photons, sizeof *hash);
     CHECK(murk_merge(&matrix->layout, matrix->row, matrix->space, false,
-                     &m->problem, hash, true, &err) == MURK_OK);
+                     &m->problem, hash, true, NULL, &err) == MURK_OK);
     CHECK(matrix->layout.photons == m->problem.photons);
     murk_matrix_destroy(matrix);
     made_up_destroy(m);
@@ -112,6 +112,39 @@ static void test_as_few_stay_as_possible(void)
         murk_matrix_destroy(matrix);
         made_up_destroy(m);
     }
+}
+
+/* The rows by slot, of a matrix with merged photons and of one without: each
+ * photon has the clarity of its row. */
+static void test_rows_by_slot(void)
+{
+    made_up *m = make_alike(3, 1, 1);
+    const murk_problem problem = m->problem;
+    m->problem.has_columns = true;
+    for (int merging = 0; merging < 2; ++merging) {
+        murk_matrix *matrix = NULL;
+        murk_error err = {0};
+        CHECK(murk_matrix_make(&matrix, &m->problem, UINT64_MAX,
+                               merging ? MURK_MERGE_ALWAYS : MURK_MERGE_NEVER,
+                               &err) == MURK_OK);
+        CHECK(!merging || matrix->layout.photons < problem.photons);
+        uint16_t *clarity =
+            malloc(murk_matrix_slots(matrix) * sizeof *clarity + 1);
+        CHECK(clarity);
+        /* Each clarity against that of the problem. */
+        size_t different = 0;
+        for (size_t j = 0; clarity && j < problem.candidates; ++j) {
+            CHECK(murk_matrix_spread(clarity, matrix, j));
+            for (uint32_t i = 0; i < problem.photons; ++i) {
+                different += clarity[murk_matrix_slot(matrix, i)] !=
+                             m->clarity[j * problem.photons + i];
+            }
+        }
+        CHECK(different == 0);
+        free(clarity);
+        murk_matrix_destroy(matrix);
+    }
+    made_up_destroy(m);
 }
 
 int main(void)
@@ -142,5 +175,6 @@ int main(void)
     }
     /* Different photons with equal hashes stay apart. */
     test_prints_are_checked();
+    test_rows_by_slot();
     return check_done();
 }
