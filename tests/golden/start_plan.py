@@ -26,7 +26,7 @@ def place_of(plan):
 
 
 def value_of(plan):
-    return plan["bound"]["upper"] - plan["bound"]["gap"]
+    return plan["bound"]["upper"] * (1 - plan["bound"]["gap"])
 
 
 def test_the_same_plan(murk, scene):
