@@ -33,7 +33,11 @@ struct murk_follow {
     char *command, *asked, *exports, *voxel_m; /* of `save` */
     size_t steps, next, reused; /* of the timeline; done; not made again */
     murk_sequence sequence;
-    bool has_plan; /* the sequence has the sensors of an earlier step */
+    bool has_plan;      /* the sequence has the sensors of an earlier step */
+    size_t last_reused; /* number from 1 of the last step that was not made
+                         * again, if no step was made after it; else 0 */
+    murk_plan *before;  /* the last plan that was made; NULL: none. The next one
+                         * takes over what is the same */
     murk_session session;
     murk_fields row, fields, saved; /* row: of the last step */
 };
@@ -243,6 +247,7 @@ void murk_follow_destroy(murk_follow *follow)
     if (!follow) {
         return;
     }
+    murk_plan_destroy(follow->before);
     murk_sequence_release(&follow->sequence);
     murk_fields_release(&follow->row);
     murk_fields_release(&follow->fields);
@@ -392,6 +397,13 @@ static double number_at(const cJSON *root, const char *map, const char *key)
     return cJSON_IsNumber(item) ? item->valuedouble : NAN;
 }
 
+/* A number that is 0 where it is not listed. */
+static uint64_t count_at(const cJSON *map, const char *key)
+{
+    const cJSON *item = cJSON_GetObjectItem(map, key);
+    return cJSON_IsNumber(item) ? (uint64_t)item->valuedouble : 0;
+}
+
 /* The JSON in a file that murk has written; NULL if there is none. The caller
  * deletes it. */
 static cJSON *read_json(const murk_follow *follow, size_t step,
@@ -423,7 +435,10 @@ static void fill_row(step_work *step, const cJSON *plan)
     step->is_dark = !isfinite(in_sample.value);
     row->coverage = isfinite(held_out.value) ? held_out : in_sample;
     row->upper = number_at(plan, "bound", "upper");
-    row->pairs_looked = rays > 0 ? (uint64_t)rays : 0;
+    const cJSON *reused = at(plan, "run", "reused");
+    row->photons_kept = count_at(reused, "photons");
+    row->pairs_kept = count_at(reused, "sightlines");
+    row->pairs_looked = rays > 0 ? (uint64_t)rays - row->pairs_kept : 0;
     const cJSON *seconds = at(plan, "run", "seconds");
     row->seconds =
         seconds ? cJSON_GetNumberValue(cJSON_GetObjectItem(seconds, "total"))
@@ -500,7 +515,8 @@ static bool take_earlier(const murk_follow *follow, step_work *step)
     if (is_it) {
         const cJSON *traced = cJSON_GetObjectItem(ledger, "photons_emitted");
         fill_row(step, plan);
-        step->row.photons_traced = (uint64_t)cJSON_GetNumberValue(traced);
+        step->row.photons_traced =
+            (uint64_t)cJSON_GetNumberValue(traced) - step->row.photons_kept;
     }
     cJSON_Delete(ledger);
     cJSON_Delete(plan);
@@ -547,7 +563,8 @@ static murk_status save_step(murk_follow *follow, step_work *step,
         fill_row(step, saved->root);
         step->row.photons_traced =
             traced && traced->ledger
-                ? (uint64_t)murk_tally_read(&traced->ledger->photons)
+                ? (uint64_t)murk_tally_read(&traced->ledger->photons) -
+                      step->row.photons_kept
                 : 0;
         status = path ? read_sensors(step, path, err)
                       : fill_sensors(step, plan->plan.sensor,
@@ -571,6 +588,49 @@ static void warn_of_earlier(const murk_follow *follow, const step_work *step)
     free(path);
 }
 
+/* Remembers the plan of a step for the next one. */
+static void remember(murk_follow *follow, murk_plan *plan)
+{
+    if (plan && plan->plan.matrix) {
+        murk_plan_destroy(follow->before);
+        follow->before = plan;
+        return;
+    }
+    murk_plan_destroy(plan);
+}
+
+/* After steps of an earlier run: makes the plan of the last of them once more,
+ * so that the next step takes over what it would have taken over without the
+ * stop. Without a plan nothing is taken over. */
+static void recall_before(murk_follow *follow)
+{
+    const size_t number = follow->last_reused - 1;
+    const double t_s =
+        murk_timeline_time_s(&follow->session.scene->timeline, number);
+    char *start = step_path(follow, number, START_FILE);
+    struct stat found;
+    murk_scene *scene = NULL;
+    murk_world *world = NULL;
+    murk_plan *plan = NULL;
+    follow->last_reused = 0;
+    /* The same scene and start; what fails here only costs time. */
+    const char *given = start && stat(start, &found) == 0 ? start : NULL;
+    murk_status status =
+        start ? scene_at(&scene, follow, t_s, given, NULL) : MURK_NO_MEMORY;
+    if (!status) {
+        status = murk_world_create(&world, scene, NULL);
+    }
+    if (!status) {
+        status = murk_plan_make_step(&plan, world, NULL, NULL);
+    }
+    if (!status) {
+        remember(follow, plan);
+    }
+    murk_world_destroy(world);
+    murk_scene_destroy(scene);
+    free(start);
+}
+
 /* Makes the plan of a step, or takes that of an earlier run. A failure that is
  * due to the scene at this time is noted in the row. */
 static murk_status make_step(murk_follow *follow, step_work *step,
@@ -578,13 +638,20 @@ static murk_status make_step(murk_follow *follow, step_work *step,
 {
     murk_plan *plan = NULL;
     murk_error why = {.size = sizeof why};
+    /* What an earlier run has made is not made again. */
     murk_status status = murk_world_create(&step->world, scene, &why);
     if (!status && take_earlier(follow, step)) {
         ++follow->reused;
+        follow->last_reused =
+            step->is_dark ? follow->last_reused : step->number + 1;
         return MURK_OK;
     }
+    if (!status && follow->last_reused > 0 &&
+        step->world->desc->placement.knowledge == MURK_SCENE_KNOWN) {
+        recall_before(follow);
+    }
     if (!status) {
-        status = murk_plan_make_whole(&plan, step->world, &why);
+        status = murk_plan_make_step(&plan, step->world, follow->before, &why);
     }
     if (!status) {
         status = save_step(follow, step, plan, err);
@@ -595,7 +662,7 @@ static murk_status make_step(murk_follow *follow, step_work *step,
     } else {
         murk_call_pass(err, &why);
     }
-    murk_plan_destroy(plan);
+    remember(follow, plan);
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "cases/repeat_part.h"
+#include "plan/earlier.h"
 #include "results/plan_files.h"
 #include "results/repeat.h"
 
@@ -32,6 +33,7 @@ static void take_times(murk_plan *plan)
     run->map_s = plan->plan.map_s;
     run->sense_s = plan->plan.sense_s;
     run->place_s = plan->plan.place_s;
+    run->reused_sightlines = plan->plan.reused;
 }
 
 static murk_status place_conditions(murk_plan *plan, murk_error *err)
@@ -74,29 +76,43 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
                                         session->traced, threads, err);
 }
 
+/* The way in which a plan is made. */
+typedef struct making {
+    murk_light *light;  /* NULL: the light is traced by the call */
+    bool is_step;       /* of a sequence: a request to finish does not end the
+                         * search with the best plan so far */
+    murk_plan *earlier; /* is_step: the plan of the step before; NULL: none */
+} making;
+
 /* Makes a plan over the conditions of the world, or, if there are none to place
- * over, for the given light. light NULL: the light is traced by this call.
- * may_finish: a request to finish ends the search with the best plan so far. */
+ * over, for one light. */
 static murk_status plan_make(murk_plan **out, murk_world *world,
-                             murk_light *light, bool may_finish,
-                             murk_error *error)
+                             const making *m, murk_error *error)
 {
     murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_plan *plan = make(world);
+    murk_plan *plan = make(world), *earlier = m->earlier;
+    murk_earlier_plan before = {0};
     /* Each condition has a light of its own, so none can be given. */
     const bool has_conditions =
         world->desc->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     murk_status status = MURK_NO_MEMORY;
-    if (plan && has_conditions && light) {
+    if (plan && earlier) {
+        before = (murk_earlier_plan){&earlier->plan, earlier->session.stage,
+                                     earlier->session.traced};
+        plan->plan.earlier = &before;
+    }
+    if (plan && has_conditions && m->light) {
         status = murk_fail(&call.failure, MURK_BAD_VALUE,
                            world->desc->placement.where,
                            "over: each condition has a light of its own; must "
                            "be null to place for a given light");
     } else if (plan) {
-        murk_finish_allow(may_finish);
+        plan->plan.keeps_matrix = m->is_step;
+        murk_finish_allow(!m->is_step);
         status = has_conditions ? place_conditions(plan, &call.failure)
-                                : place(plan, light, &call.failure);
+                                : place(plan, m->light, &call.failure);
         murk_finish_allow(false);
+        plan->plan.earlier = NULL;
     }
     status = murk_call_end_long(&call, status);
     if (status) {
@@ -114,15 +130,16 @@ murk_status murk_plan_make(murk_plan **out, murk_world *world,
     if (out) {
         *out = NULL;
     }
-    return out && world ? plan_make(out, world, NULL, true, error)
+    return out && world ? plan_make(out, world, &(making){0}, error)
                         : murk_call_refuse(error, "out or world is NULL");
 }
 
-murk_status murk_plan_make_whole(murk_plan **out, murk_world *world,
-                                 murk_error *error)
+murk_status murk_plan_make_step(murk_plan **out, murk_world *world,
+                                murk_plan *earlier, murk_error *error)
 {
+    const making step = {.is_step = true, .earlier = earlier};
     *out = NULL;
-    return plan_make(out, world, NULL, false, error);
+    return plan_make(out, world, &step, error);
 }
 
 murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
@@ -131,8 +148,9 @@ murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
     if (out) {
         *out = NULL;
     }
-    return out && light ? plan_make(out, light->world, light, true, error)
-                        : murk_call_refuse(error, "out or light is NULL");
+    return out && light
+               ? plan_make(out, light->world, &(making){.light = light}, error)
+               : murk_call_refuse(error, "out or light is NULL");
 }
 
 /* Begins a call in the context of the plan, with the files in memory of the

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
+#include "plan/earlier.h"
 #include "plan/row_cache.h"
 #include "plan/start_plan.h"
 
@@ -127,6 +128,7 @@ void murk_plan_add_work(murk_plan_result *plan, const murk_sight *sight)
     const murk_sight_work work = murk_sight_work_of(sight);
     plan->looks += work.queries - plan->forecast_queries;
     plan->shadow_rays += work.shadow_rays - plan->forecast_rays;
+    plan->reused += work.reused;
     plan->blocked_by_interfaces += work.blocked_by_interfaces;
     plan->totally_reflected += work.totally_reflected;
 }
@@ -231,6 +233,35 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         each_s * (double)n);
 }
 
+/* The memory that earlier rows take of that for rows. */
+static uint64_t memory_taken(const murk_earlier_rows *rows, uint64_t memory)
+{
+    const uint64_t taken = rows->matrix ? murk_matrix_memory(rows->matrix) : 0;
+    return taken < memory ? taken : memory;
+}
+
+/* Destroys the matrix of the earlier plan, whose rows are not needed again. */
+static void forget_earlier(murk_plan_result *plan)
+{
+    if (plan->earlier) {
+        murk_matrix_destroy(plan->earlier->plan->matrix);
+        plan->earlier->plan->matrix = NULL;
+    }
+}
+
+/* Leaves the matrix to the plan, if that is asked for and the rows leave half
+ * of the memory for those of the next plan; else destroys it. */
+static void keep_matrix(murk_plan_result *plan, murk_matrix *matrix,
+                        uint64_t memory)
+{
+    if (matrix && plan->keeps_matrix &&
+        murk_matrix_memory(matrix) <= memory / 2) {
+        plan->matrix = matrix;
+        return;
+    }
+    murk_matrix_destroy(matrix);
+}
+
 /* Chooses the sensors by the method that placement.knowledge asks for. */
 static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
@@ -269,12 +300,25 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
         murk_plan_count_queries(plan, plan->place.queries);
         return status;
     }
-    /* Known environment: build the matrix, then choose. */
+    /* Known environment: build the matrix, then choose. The rows of an earlier
+     * plan, of which the new ones may take entries over, count towards the
+     * memory of the rows. */
+    murk_earlier_rows rows;
+    status =
+        murk_earlier_rows_create(&rows, plan->earlier, plan, stage, sight, err);
+    seen.problem.has_columns = plan->keeps_matrix;
+    seen.known = rows.known.get ? &rows.known : NULL;
+    const uint64_t taken = memory_taken(&rows, desc.row_memory);
     const size_t at_least = murk_plan_at_least(stage->scene);
     murk_at_least strict;
     murk_at_least_init(&strict, &seen.problem, (unsigned)at_least);
     const murk_problem *problem = at_least ? &strict.problem : &seen.problem;
-    status = murk_matrix_create(&matrix, problem, desc.row_memory, err);
+    if (!status) {
+        status =
+            murk_matrix_create(&matrix, problem, desc.row_memory - taken, err);
+    }
+    murk_earlier_rows_release(&rows);
+    forget_earlier(plan);
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status && at_least) {
@@ -288,7 +332,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     } else if (!status) {
         status = murk_place_sensors(&plan->place, problem, matrix, &desc, err);
     }
-    murk_matrix_destroy(matrix);
+    keep_matrix(plan, matrix, desc.row_memory);
     plan->place_s = murk_clock_s() - begun_s;
     murk_plan_add_work(plan, sight);
     murk_plan_count_queries(plan, plan->place.queries);
@@ -375,6 +419,7 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
 
 void murk_plan_result_release(murk_plan_result *plan)
 {
+    murk_matrix_destroy(plan->matrix);
     murk_candidates_destroy(plan->candidates);
     murk_poses_destroy(plan->poses);
     murk_place_release(&plan->place);

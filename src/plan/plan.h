@@ -104,9 +104,18 @@ murk_status murk_plan_measure_streamed(murk_coverage_result *out,
  * the targets are a list, because a list is the same in all streams. */
 bool murk_plan_has_streams(const murk_scene_desc *scene);
 
+typedef struct murk_earlier_plan murk_earlier_plan; /* plan/earlier.h */
+
 typedef struct murk_plan_result {
     bool without_curve; /* set by the caller: compute the plan alone, without
                          * the curve over smaller numbers of sensors */
+    bool keeps_matrix;  /* set by the caller: `matrix` stays */
+    const murk_earlier_plan *earlier; /* set by the caller: a plan whose rows
+                                       * are taken over where they are the
+                                       * same; NULL: none. Its matrix is
+                                       * destroyed by then */
+    murk_matrix *matrix; /* of a known environment, with keeps_matrix, unless it
+                          * takes more than half of memory_mb; else NULL */
     murk_candidates *candidates;
     murk_poses *poses; /* poses of the candidates: the choices of placement */
     murk_place_result place;
@@ -138,6 +147,8 @@ typedef struct murk_plan_result {
      * asks for; those of them that were computed, because they were not
      * remembered; sightlines tested against surfaces. */
     uint64_t queries, looks, shadow_rays;
+    uint64_t reused; /* sightlines among the shadow rays that were taken over
+                      * from the earlier plan */
     uint64_t forecast_queries, forecast_rays;          /* work of the sample of
                                                         * a forecast */
     uint64_t blocked_by_interfaces, totally_reflected; /* number of sightlines

@@ -17,12 +17,14 @@ void murk_results_list_follow_row(murk_results_fields *f, const void *of,
                "photons that were traced, of lights that are on",
                r->photons_traced);
     MURK_COUNT(f, "photons_kept",
-               "taken over from the step before: 0, since each step traces all",
+               "photons that were taken over from the step before",
                r->photons_kept);
     MURK_COUNT(f, "pairs_looked",
                "sightlines between candidates and photons that were tested",
                r->pairs_looked);
-    MURK_COUNT(f, "pairs_kept", "sightlines of the step before", r->pairs_kept);
+    MURK_COUNT(f, "pairs_kept",
+               "sightlines whose clarity was taken over from the step before",
+               r->pairs_kept);
     /* The plan. */
     MURK_NUMBER(f, "coverage", "1",
                 "of the plan, on a second map if there is one",

@@ -254,6 +254,11 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
     cJSON_AddNumberToObject(seconds, "sense", run->sense_s);
     cJSON_AddNumberToObject(seconds, "place", run->place_s);
     cJSON_AddNumberToObject(seconds, "total", run->total_s);
+    if (run->reused_photons + run->reused_sightlines > 0) {
+        cJSON *reused = cJSON_AddObjectToObject(object, "reused");
+        murk_json_number(reused, "photons", (double)run->reused_photons);
+        murk_json_number(reused, "sightlines", (double)run->reused_sightlines);
+    }
     murk_json_number(object, "peak_memory_bytes", murk_machine_peak_bytes());
     char date[32] = "";
     const time_t now = time(NULL);

@@ -19,6 +19,8 @@ typedef struct murk_run_facts {
     const char *command; /* the command line as typed; NULL: not known */
     unsigned threads;
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
+    uint64_t reused_photons, reused_sightlines; /* taken over from the step
+                                                 * before (murk follow) */
     cJSON *summary; /* lines of the summary (results/summary.h), borrowed; NULL:
                        none */
 } murk_run_facts;

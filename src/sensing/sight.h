@@ -29,6 +29,7 @@
 #define MURK_SENSING_SIGHT_H
 
 #include "base/bands.h"
+#include "base/box_list.h"
 #include "base/stats.h"
 #include "base/status.h"
 #include "base/tally.h"
@@ -147,6 +148,31 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
 
+/* What is known of a row from an earlier sight of the same sensor types and
+ * settings, in a world that differs from that of this sight within boxes
+ * only. */
+typedef struct murk_known_row {
+    const uint32_t *column;  /* [photons] the place of each photon of this sight
+                              * in clarity[]; MURK_NO_COLUMN: the earlier sight
+                              * had no equal photon */
+    const uint16_t *clarity; /* of the earlier row; 0: not seen */
+    const murk_box_list *changed; /* enlarged for the rounding of sightlines */
+} murk_known_row;
+
+#define MURK_NO_COLUMN UINT32_MAX
+
+/* True if rows of an earlier sight may be known: sightlines are straight and
+ * not counted when a boundary of a refractive index bends them, the domain has
+ * no images, and detection is not by power. */
+bool murk_sight_may_know(const murk_sight *sight);
+
+/* murk_sight_row(), with the clarities of photons that the earlier sight had
+ * and whose sightlines do not meet a changed place; these sightlines are
+ * counted as if they were tested, and as reused. */
+void murk_sight_row_from(murk_sight *sight, unsigned worker,
+                         const murk_pose *pose, const murk_known_row *known,
+                         murk_sparse_row *row);
+
 /* The same for the photons that are needed; false, without a row, if the row
  * was given up (murk_problem.get_part). Sightlines to other photons are not
  * tested.
@@ -166,12 +192,22 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
                        const murk_pose *pose, const uint32_t *photon, size_t n,
                        const murk_media *const *media, size_t count);
 
+/* Rows that are known from an earlier sight. */
+typedef struct murk_known_rows {
+    /* Fills *row with what is known of the row of a candidate, until the next
+     * call with the same worker; false if nothing is. */
+    bool (*get)(void *context, unsigned worker, size_t candidate,
+                murk_known_row *row);
+    void *context;
+} murk_known_rows;
+
 /* The placement problem of the candidates pose[n]. Borrows poses and sight.
  * problem.context points to *out, so *out must not move. */
 typedef struct murk_sight_problem {
     murk_problem problem;
     murk_sight *sight;
     const murk_pose *pose;
+    const murk_known_rows *known; /* NULL: each row is computed */
 } murk_sight_problem;
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_pose *pose, size_t n);
@@ -212,9 +248,11 @@ size_t murk_sight_power_few(const murk_sight *sight);
  * against surfaces, and sightlines lost to boundaries between refractive
  * indices: those that no surface blocks and a boundary does, and with
  * refraction the photons without a path across one flat boundary. Totally
- * reflected ones are counted separately. */
+ * reflected ones are counted separately. `reused` of the shadow rays were not
+ * tested, because a row was known (murk_sight_row_from()). */
 typedef struct murk_sight_work {
-    uint64_t queries, shadow_rays, blocked_by_interfaces, totally_reflected;
+    uint64_t queries, shadow_rays, blocked_by_interfaces, totally_reflected,
+        reused;
 } murk_sight_work;
 murk_sight_work murk_sight_work_of(const murk_sight *sight);
 

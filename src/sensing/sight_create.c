@@ -294,7 +294,14 @@ static void get_row(void *context, unsigned worker, size_t candidate,
                     murk_sparse_row *out)
 {
     const murk_sight_problem *p = context;
-    murk_sight_row(p->sight, worker, &p->pose[candidate], out);
+    const murk_pose *pose = &p->pose[candidate];
+    murk_known_row known;
+    if (p->known &&
+        p->known->get(p->known->context, worker, candidate, &known)) {
+        murk_sight_row_from(p->sight, worker, pose, &known, out);
+        return;
+    }
+    murk_sight_row(p->sight, worker, pose, out);
 }
 
 static bool get_part(void *context, unsigned worker, size_t candidate,
@@ -316,7 +323,7 @@ static void list_counters(void *context, murk_counters *list)
     murk_sight *sight = p->sight;
     murk_tally *const counter[] = {&sight->queries, &sight->shadow_rays,
                                    &sight->blocked_by_interfaces,
-                                   &sight->totally_reflected};
+                                   &sight->totally_reflected, &sight->reused};
     for (size_t i = 0; i < sizeof counter / sizeof *counter; ++i) {
         list->counter[list->n++] = counter[i];
     }
@@ -327,6 +334,7 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
 {
     out->sight = sight;
     out->pose = pose;
+    out->known = NULL;
     out->problem = (murk_problem){.photons = sight->photons,
                                   .candidates = n,
                                   .weight = sight->weight,
@@ -397,5 +405,6 @@ murk_sight_work murk_sight_work_of(const murk_sight *sight)
         .blocked_by_interfaces =
             (uint64_t)murk_tally_read(&sight->blocked_by_interfaces),
         .totally_reflected =
-            (uint64_t)murk_tally_read(&sight->totally_reflected)};
+            (uint64_t)murk_tally_read(&sight->totally_reflected),
+        .reused = (uint64_t)murk_tally_read(&sight->reused)};
 }

@@ -37,7 +37,8 @@ struct murk_sight {
     murk_scratch *worker; /* [threads] */
     murk_photon_map *own_surface,
         *own_volume; /* NULL: the maps belong to others */
-    murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected;
+    murk_tally queries, shadow_rays, blocked_by_interfaces, totally_reflected,
+        reused;
 };
 
 /* The largest of redundancy, at_least and 1: the sum of the weights times this

@@ -38,6 +38,7 @@ typedef struct row_search {
     uint32_t bands;  /* one bit for each band detected */
     murk_path_viewpoint viewpoint; /* of the sensor, in `space` */
     murk_across across;            /* only with sight->interfaces */
+    const murk_known_row *known;   /* NULL: no row is known */
     uint32_t *photon;
     uint16_t *clarity;
     size_t seen;
@@ -143,6 +144,58 @@ static void add_seen(row_search *l, uint32_t photon, uint16_t clarity)
     l->photon[l->seen++] = photon;
 }
 
+/* The clarity of a photon from the known row, if the sightline is as it was. */
+static bool find_known(const row_search *l, uint32_t photon, murk_vec3 from,
+                       uint16_t *clarity)
+{
+    const uint32_t column = l->known->column[photon];
+    if (column == MURK_NO_COLUMN ||
+        murk_box_list_meet(l->known->changed, from,
+                           murk_sub(l->sensor, from))) {
+        return false;
+    }
+    *clarity = l->known->clarity[column];
+    return true;
+}
+
+/* add_visible() with a known row: tests only those of n photons whose clarity
+ * is not known. */
+static void add_known(row_search *l, const murk_photon *photon, uint32_t first,
+                      const uint32_t *number, const murk_vec3 *from, size_t n)
+{
+    murk_sight *sight = l->sight;
+    uint16_t clarity[BLOCK];
+    uint32_t tested[BLOCK]; /* [m] of the n photons */
+    murk_vec3 tested_from[BLOCK];
+    bool blocked[BLOCK];
+    size_t m = 0;
+    for (size_t i = 0; i < n; ++i) {
+        tested[m] = (uint32_t)i;
+        tested_from[m] = from[i];
+        m += !find_known(l, first + number[i], from[i], &clarity[i]);
+    }
+    /* The sightlines that are taken over count as tested. */
+    if (sight->desc.visibility != MURK_VISIBILITY_NORMAL) {
+        murk_tally_add(&sight->shadow_rays, (int64_t)(n - m));
+    }
+    murk_tally_add(&sight->reused, (int64_t)(n - m));
+    test_sightlines(l, tested_from, m, blocked);
+    for (size_t k = 0; k < m; ++k) {
+        const uint32_t i = tested[k];
+        clarity[i] = blocked[k]    ? 0
+                     : !l->clarity ? MURK_CLEAR
+                                   : clarity_of(l, &photon[number[i]],
+                                                number[i], from[i]);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        if (clarity[i] > 0 && l->clarity) {
+            add_seen(l, first + number[i], clarity[i]);
+        } else if (clarity[i] > 0) {
+            l->photon[l->seen++] = first + number[i];
+        }
+    }
+}
+
 /* Adds those of n photons that are visible. number[n] are their indices in the
  * map, from[n] the photons' ends of the sightlines, and `first` is the number
  * of the map's first photon. The row is written over the indices that the query
@@ -152,6 +205,10 @@ static void add_visible(row_search *l, const murk_photon *photon,
                         const murk_vec3 *from, size_t n)
 {
     bool blocked[BLOCK];
+    if (l->known) {
+        add_known(l, photon, first, number, from, n);
+        return;
+    }
     test_sightlines(l, from, n, blocked);
     for (size_t i = 0; i < n; ++i) {
         if (blocked[i]) {
@@ -349,11 +406,25 @@ static murk_sparse_row found_row(const row_search *l)
                              l->is_binary ? NULL : l->clarity};
 }
 
+bool murk_sight_may_know(const murk_sight *sight)
+{
+    return !sight->has_interfaces && !sight->power &&
+           !sight->desc.domain.is_periodic && !sight->desc.boundary_meshes;
+}
+
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *out)
 {
+    murk_sight_row_from(sight, worker, pose, NULL, out);
+}
+
+void murk_sight_row_from(murk_sight *sight, unsigned worker,
+                         const murk_pose *pose, const murk_known_row *known,
+                         murk_sparse_row *out)
+{
     const murk_sight_desc *desc = &sight->desc;
     row_search l = begin(sight, worker, pose);
+    l.known = known;
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {

@@ -86,6 +86,9 @@ def steps_are_plans(folder, scene, method):
     run("follow", scene, "-o", out, "--export", "light", *words)
     rows = table(out, "follow.csv")
     check([float(row["t_s"]) for row in rows] == [0, 3, 6, 9, 12], "times", rows)
+    # The load moves from the first step to the second; then the fog changes, and with it every sightline.
+    kept = [int(row["pairs_kept"]) for row in rows]
+    check(kept[1] > 50000 and kept[0] == kept[2] == kept[3] == 0, "pairs_kept", kept)
     for k, row in enumerate(rows):
         step, alone, light = (os.path.join(folder, name) for name in (f"{method}/steps/{k:04}", "alone", "light"))
         start = os.path.join(step, "start.csv")

@@ -1,0 +1,413 @@
+/* Random sequences of changes of one scene: the rows of each step that are
+ * taken over from the step before equal those that are computed, in every bit,
+ * with the same counts. The changes: objects that move, leave the domain and
+ * come back; materials; media, even, in boxes, and grids whose bricks change;
+ * lamps; sensors; nothing; everything.
+ *
+ * Teeth: without one of the boxes of changed places, rows differ in at least 95
+ * of 100 such cases in which photons are the same.
+ *
+ * Argument: the number of sequences (50). Seeds are fixed. */
+#define _DEFAULT_SOURCE /* mkdtemp() */
+#include "../unit/plan/chosen.h"
+#include "check.h"
+#include "medium/grid_write.h"
+#include "plan/earlier.h"
+#include "stage_text.h"
+
+#include "base/rng.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define THREADS 2
+
+static char folder[] = "/tmp/murk_changing_XXXXXX";
+
+/* ---- the scene ---- */
+
+static const char scene_form[] =
+    "murk: 1\n"
+    "domain: {min_m: [0, 0, 0], max_m: [8, 6, 4]}\n"
+    "timeline: {from_s: 0, to_s: 1, every_s: 1}\n"
+    "geometry:\n"
+    "  - {box: {min_m: [0.01, 0.01, 0.01], max_m: [7.99, 5.99, 3.99]},"
+    " material: wall}\n"
+    "  - {name: load, box: {min_m: [-0.4, -0.5, -0.6], max_m: [0.4, 0.5, 0.6]},"
+    " material: metal}\n"
+    "  - {name: ball, sphere: {center_m: [0, 0, 0], radius_m: 0.4},"
+    " material: metal}\n"
+    "  - {name: pane, rect: {corner_m: [0, -1, -1], edge1_m: [0, 2, 0],"
+    " edge2_m: [0, 0, 2]}, material: glass}\n"
+    "materials: {wall: {diffuse: 0.5}, metal: {diffuse: 0.3, specular: 0.2},"
+    " glass: {transmit: 0.7, specular: 0.1}}\n"
+    "media:\n"
+    "  haze: {extinction_per_m: 0.02, albedo: 0.9}\n"
+    "  cloud: {extinction_per_m: 0.5, albedo: 0.8, phase: {hg: 0.6}}\n"
+    "  plume: {vdb: '%s/plume.####.vdb', frame: 0, extinction_per_m: 1,"
+    " albedo: 0.7, phase: {hg: 0.5}, interpolation: nearest}\n"
+    "regions:\n"
+    "  - {medium: haze, box: {min_m: [0, 0, 0], max_m: [8, 6, 4]}}\n"
+    "  - {medium: cloud, box: {min_m: [-0.7, -0.7, -0.5],"
+    " max_m: [0.7, 0.7, 0.5]}, translate_m: [2, 2, 2]}\n"
+    "  - {medium: plume, translate_m: [3.5, 2.5, 1]}\n"
+    "lights:\n"
+    "  - {type: point, position_m: [1, 1, 3.5], power_w: 5}\n"
+    "  - {type: point, position_m: [7, 5, 3.5], power_w: 5}\n"
+    "photons: {emit: 1500}\n"
+    "sensors:\n"
+    "  types: [{name: node, range_m: 5}, {name: eye, range_m: 8,"
+    " view: {cone_deg: 90}, headings: 3}]\n"
+    "  candidates: {grid: {min_m: [1, 1, 0.7], max_m: [7, 5, 3.3],"
+    " size: [4, 3, 2]}}\n"
+    "  count: 2\n"
+    "placement: {hold_out: false, method: greedy}\n";
+
+static char scene_text[sizeof scene_form + sizeof folder];
+
+/* A key that changes, and its values, the first of which is that of the scene.
+ * Keys without `is_local` may change every sightline. */
+typedef struct varied {
+    const char *key;
+    const char *value[4]; /* NULL ends them */
+    bool is_local;
+} varied;
+
+static const varied keys[] = {
+    {"geometry.1.translate_m",
+     {"[4, 3, 2]", "[4.5, 3, 2]", "[40, 3, 2]", "[2, 4, 1.5]"},
+     true},
+    {"geometry.2.translate_m",
+     {"[6, 2, 1]", "[5.8, 2.1, 1.3]", "[6, -20, 1]"},
+     true},
+    {"geometry.3.translate_m", {"[5, 3, 2]", "[3, 3, 2]"}, true},
+    {"materials.glass.transmit", {"0.7", "0.4"}, true},
+    {"materials.metal.diffuse", {"0.3", "0.6"}, true},
+    {"media.cloud.extinction_per_m", {"0.5", "0", "1.5"}, true},
+    {"media.cloud.albedo", {"0.8", "0.3"}, true},
+    {"regions.1.translate_m", {"[2, 2, 2]", "[2.3, 2, 2]"}, true},
+    {"regions.2.translate_m", {"[3.5, 2.5, 1]", "[3.5, 2.6, 1]"}, true},
+    {"media.plume.frame", {"0", "1", "2", "3"}, true},
+    {"media.plume.extinction_per_m", {"1", "2"}, true},
+    {"media.plume.interpolation", {"nearest", "linear"}, true},
+    {"media.haze.extinction_per_m", {"0.02", "0.05"}, false},
+    {"lights.0.power_w", {"5", "0", "3"}, true},
+    {"lights.1.position_m", {"[7, 5, 3.5]", "[6.5, 5, 3.5]"}, true},
+    {"sensors.fixed", {"[]", "[{type: node, position_m: [4, 1, 1]}]"}, true},
+    {"sensors.candidates.grid.size", {"[4, 3, 2]", "[5, 3, 2]"}, true},
+};
+#define KEYS (sizeof keys / sizeof *keys)
+
+/* Settings that hold for a sequence. With the first of them, CLEAR, every
+ * change in a box changes clarities. */
+#define CLEAR 0
+static const char *const settings[][2] = {
+    {"placement.detection=weighted", NULL},
+    {"placement.detection=threshold", "placement.threshold=0.6"},
+    {"placement.detection=independent", NULL},
+    {"placement.through=block", NULL},
+    {"placement.visibility=normal", NULL},
+    {"sensors.types.0.acceptance_deg=5", NULL},
+    {"placement.redundancy=2", NULL},
+    {"media.plume.interpolation=linear", NULL}};
+#define SETTINGS (sizeof settings / sizeof *settings)
+
+/* Frames of the plume, 24 voxels along each edge: the second differs from the
+ * first in one leaf of 8 voxels, the third in most, the fourth in its box of
+ * active voxels. */
+static void write_frames(void)
+{
+    enum { EDGE = 24 };
+    static float value[EDGE * EDGE * EDGE];
+    const size_t size[3] = {EDGE, EDGE, EDGE};
+    murk_affine place = murk_affine_identity();
+    for (int axis = 0; axis < 3; ++axis) {
+        place.matrix[axis][axis] = 0.07;
+    }
+    for (int frame = 0; frame < 4; ++frame) {
+        for (int i = 0; i < EDGE * EDGE * EDGE; ++i) {
+            const int x = i % EDGE, y = i / EDGE % EDGE, z = i / EDGE / EDGE;
+            const bool in_leaf = x / 8 == 1 && y / 8 == 1 && z / 8 == 1;
+            value[i] = 0.5F + 0.02F * (float)(x + y);
+            value[i] *= frame == 1 && in_leaf ? 2 : frame == 2 ? 1.3F : 1;
+            value[i] = frame == 3 && x == 0 ? 0 : value[i];
+        }
+        char path[64];
+        const murk_grid_field field = {.name = "density", .value = value};
+        murk_error err = {0};
+        snprintf(path, sizeof path, "%s/plume.%04d.vdb", folder, frame);
+        CHECK(murk_grid_write(path, &field, 1, size, &place, &err) == MURK_OK);
+        CHECK_TEXT(err.text, "");
+    }
+}
+
+static void remove_frames(void)
+{
+    for (int frame = 0; frame < 4; ++frame) {
+        char path[64];
+        snprintf(path, sizeof path, "%s/plume.%04d.vdb", folder, frame);
+        unlink(path);
+    }
+    rmdir(folder);
+}
+
+/* ---- a step ---- */
+
+typedef struct step {
+    murk_stage *stage;
+    murk_traced *traced;
+    murk_plan_result plan;
+} step;
+
+/* Prepares the plan of a step, whose stage and light are there. */
+static void prepare(step *s, const murk_earlier_plan *earlier)
+{
+    murk_error err = {0};
+    CHECK(murk_plan_prepare(&s->plan, s->stage, THREADS, &err) == MURK_OK);
+    s->plan.keeps_matrix = true;
+    s->plan.earlier = earlier;
+    CHECK_TEXT(err.text, "");
+}
+
+static void step_make(step *out, const size_t choice[KEYS], size_t setting,
+                      const murk_earlier_plan *earlier)
+{
+    char text[KEYS][96];
+    const char *override[KEYS + 3] = {0};
+    murk_error err = {0};
+    size_t n = 0;
+    for (size_t k = 0; k < KEYS; ++k) {
+        snprintf(text[k], sizeof text[k], "%s=%s", keys[k].key,
+                 keys[k].value[choice[k]]);
+        override[n++] = text[k];
+    }
+    for (size_t k = 0; k < 2 && settings[setting][k]; ++k) {
+        override[n++] = settings[setting][k];
+    }
+    *out = (step){.stage = stage_text_create(scene_text, override)};
+    CHECK(out->stage);
+    if (!out->stage) {
+        exit(check_done());
+    }
+    CHECK(murk_lightmap_trace(&out->traced, out->stage, 0, THREADS, &err) ==
+          MURK_OK);
+    CHECK_TEXT(err.text, "");
+    prepare(out, earlier);
+}
+
+static void step_choose(step *s)
+{
+    murk_error err = {0};
+    CHECK(choose_sensors(&s->plan, s->stage, s->traced, THREADS, &err) ==
+          MURK_OK);
+    CHECK_TEXT(err.text, "");
+    CHECK(s->plan.matrix);
+}
+
+static void step_release(step *s)
+{
+    murk_plan_result_release(&s->plan);
+    murk_traced_destroy(s->traced);
+    stage_text_destroy(s->stage);
+}
+
+/* ---- rows ---- */
+
+static bool same_rows(const murk_sparse_row *a, const uint32_t *photon,
+                      const uint16_t *clarity, size_t seen)
+{
+    bool are_same = a->seen == seen;
+    for (size_t k = 0; k < seen && are_same; ++k) {
+        are_same = a->photon[k] == photon[k] &&
+                   (a->clarity ? a->clarity[k] : MURK_CLEAR) == clarity[k];
+    }
+    return are_same;
+}
+
+/* The number of candidates whose row with the known entries differs from the
+ * row that is computed. *counts_differ: whether the counts do. */
+static size_t count_different(const step *s, murk_sight *sight,
+                              const murk_known_rows *known, bool *counts_differ)
+{
+    const murk_poses *poses = s->plan.poses;
+    const size_t photons = murk_sight_photons(sight);
+    uint32_t *photon = malloc(photons * sizeof *photon);
+    uint16_t *clarity = malloc(photons * sizeof *clarity);
+    size_t different = 0;
+    uint64_t rays[3];
+    CHECK(photon && clarity);
+    *counts_differ = false;
+    for (size_t j = 0; j < poses->count; ++j) {
+        murk_sparse_row row;
+        murk_known_row from;
+        if (!known->get(known->context, 0, j, &from)) {
+            continue;
+        }
+        /* The row as it is computed, and as it is taken over in part. */
+        rays[0] = murk_sight_work_of(sight).shadow_rays;
+        murk_sight_row(sight, 0, &poses->pose[j], &row);
+        rays[1] = murk_sight_work_of(sight).shadow_rays;
+        const size_t seen = row.seen;
+        memcpy(photon, row.photon, seen * sizeof *photon);
+        for (size_t k = 0; k < seen; ++k) {
+            clarity[k] = row.clarity ? row.clarity[k] : MURK_CLEAR;
+        }
+        murk_sight_row_from(sight, 0, &poses->pose[j], &from, &row);
+        rays[2] = murk_sight_work_of(sight).shadow_rays;
+        different += !same_rows(&row, photon, clarity, seen);
+        *counts_differ |= rays[2] - rays[1] != rays[1] - rays[0];
+    }
+    free(photon);
+    free(clarity);
+    return different;
+}
+
+/* What was seen in all sequences. */
+static struct {
+    size_t steps, taken, photons, photons_new, sightlines, reused, left_out,
+        missed;
+} seen;
+
+/* Rows without one of the boxes: counts the boxes, and those without which no
+ * row differs. */
+static void leave_out_each(const step *s, murk_sight *sight,
+                           murk_earlier_rows *rows)
+{
+    const murk_box_list all = rows->changed;
+    bool ignored;
+    for (size_t i = 0; i < all.n; ++i) {
+        rows->changed = all;
+        rows->changed.box[i] = rows->changed.box[--rows->changed.n];
+        ++seen.left_out;
+        seen.missed += count_different(s, sight, &rows->known, &ignored) == 0;
+    }
+    rows->changed = all;
+}
+
+static void check_rows(const step *s, const murk_earlier_plan *earlier,
+                       bool is_clear)
+{
+    murk_earlier_rows rows;
+    murk_sight *sight = NULL;
+    murk_error err = {0};
+    bool counts_differ;
+    CHECK(murk_plan_sight(&sight, s->stage, s->traced, THREADS, &err) ==
+          MURK_OK);
+    CHECK(murk_earlier_rows_create(&rows, earlier, &s->plan, s->stage, sight,
+                                   &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    ++seen.steps;
+    if (rows.known.get) {
+        const murk_sight_work before = murk_sight_work_of(sight);
+        CHECK(count_different(s, sight, &rows.known, &counts_differ) == 0);
+        CHECK(!counts_differ);
+        const murk_sight_work after = murk_sight_work_of(sight);
+        ++seen.taken;
+        seen.photons += murk_sight_photons(sight);
+        for (size_t i = 0; i < murk_sight_photons(sight); ++i) {
+            seen.photons_new += rows.column[i] == MURK_NO_COLUMN;
+        }
+        const uint64_t sightlines =
+                           (after.shadow_rays - before.shadow_rays) / 2,
+                       reused = after.reused - before.reused;
+        seen.sightlines += sightlines;
+        seen.reused += reused;
+        if (is_clear && 10 * reused > sightlines) { /* else all photons are new
+                                                     */
+            leave_out_each(s, sight, &rows);
+        }
+    }
+    murk_earlier_rows_release(&rows);
+    murk_sight_destroy(sight);
+}
+
+/* ---- sequences ---- */
+
+static uint32_t draw(uint32_t sequence, uint32_t number, uint32_t below)
+{
+    uint32_t word[4];
+    murk_random_words(20, 0, sequence, number, 0, word);
+    return murk_random_below(word[0], below);
+}
+
+static size_t values_of(size_t key)
+{
+    size_t n = 0;
+    while (n < 4 && keys[key].value[n]) {
+        ++n;
+    }
+    return n;
+}
+
+/* Changes none, one to three, or nearly all of the keys; keys that change every
+ * sightline less often. */
+static void change(size_t choice[KEYS], uint32_t sequence, uint32_t number)
+{
+    const uint32_t base = 1000 * number, kind = draw(sequence, base, 12);
+    const uint32_t n = kind == 0 ? 0 : kind == 1 ? 30 : 1 + kind % 3;
+    for (uint32_t i = 0; i < n; ++i) {
+        const size_t key = draw(sequence, base + 10 + 2 * i, KEYS);
+        if (keys[key].is_local || kind == 1) {
+            choice[key] =
+                draw(sequence, base + 11 + 2 * i, (uint32_t)values_of(key));
+        }
+    }
+}
+
+static void run_sequence(uint32_t sequence)
+{
+    enum { STEPS = 3 };
+    size_t choice[KEYS] = {0};
+    const size_t setting = sequence % 2 ? sequence / 2 % SETTINGS : CLEAR;
+    step last;
+    step_make(&last, choice, setting, NULL);
+    step_choose(&last);
+    for (uint32_t i = 1; i <= STEPS; ++i) {
+        step next;
+        const murk_earlier_plan earlier = {&last.plan, last.stage, last.traced};
+        change(choice, sequence, i);
+        step_make(&next, choice, setting, &earlier);
+        check_rows(&next, &earlier, setting == CLEAR);
+        /* The whole plan, with and without the earlier one. */
+        step alone = {next.stage, next.traced, {0}};
+        prepare(&alone, NULL);
+        step_choose(&next);
+        step_choose(&alone);
+        const murk_place_result *p = &next.plan.place, *q = &alone.plan.place;
+        CHECK(p->value == q->value && p->upper == q->upper &&
+              p->count == q->count && p->evaluations == q->evaluations &&
+              next.plan.shadow_rays == alone.plan.shadow_rays);
+        CHECK(memcmp(p->sensor, q->sensor, p->count * sizeof *p->sensor) == 0);
+        CHECK(!last.plan.matrix); /* it is used up */
+        murk_plan_result_release(&alone.plan);
+        step_release(&last);
+        last = next;
+    }
+    step_release(&last);
+}
+
+int main(int argc, char **argv)
+{
+    const long sequences = argc > 1 ? atol(argv[1]) : 50;
+    CHECK(mkdtemp(folder));
+    snprintf(scene_text, sizeof scene_text, scene_form, folder);
+    write_frames();
+    for (long i = 0; i < sequences; ++i) {
+        run_sequence((uint32_t)i);
+    }
+    remove_frames();
+    printf("%zu of %zu steps took rows over; %.1f %% of the photons are new, "
+           "%.1f %% of the sightlines reused; %zu of %zu boxes left out are "
+           "not noticed\n",
+           seen.taken, seen.steps,
+           100 * (double)seen.photons_new / (double)seen.photons,
+           100 * (double)seen.reused / (double)seen.sightlines, seen.missed,
+           seen.left_out);
+    /* Most steps take over most of their rows. */
+    CHECK(3 * seen.taken > 2 * seen.steps);
+    CHECK(2 * seen.reused > seen.sightlines);
+    CHECK(2 * seen.left_out > (size_t)sequences &&
+          20 * seen.missed <= seen.left_out);
+    return check_done();
+}
