@@ -145,7 +145,8 @@ static bool begin(lane_batch *b, size_t i, murk_score_path *score)
     murk_walker *w = &b->walker[i];
     while (b->next < b->last && !murk_interrupted()) {
         const murk_fate fate = murk_walk_photon_begin(
-            w, b->setup, b->sums, score, b->batch, b->next++);
+            w, b->setup, b->sums, score, b->batch,
+            murk_trace_photon(b->setup->trace, b->next++));
         if (fate == MURK_FATE_NONE) {
             put_in(b, i);
             return true;

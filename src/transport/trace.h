@@ -159,6 +159,9 @@ typedef struct murk_trace {
                    photons of [first, last) that are numbered from
                    batch[k] * MURK_BATCH_PHOTONS on; NULL: all photons */
     size_t batches;
+    const uint32_t *photon; /* [last]: the photons are photon[first] to
+                               photon[last - 1], each at most once; NULL: the
+                               numbers themselves */
     unsigned threads;
     uint32_t events_max, wraps_max;
     double least_weight; /* MURK_MIN_WEIGHT_MIN..1 */
@@ -182,6 +185,13 @@ typedef struct murk_trace {
     bool takes_back;       /* subtract the contributions of these photons from
                             * the ledger and the tallies */
 } murk_trace;
+
+/* The photon in a place of [first, last). */
+static inline uint64_t murk_trace_photon(const murk_trace *trace,
+                                         uint64_t place)
+{
+    return trace->photon ? trace->photon[place] : place;
+}
 
 murk_trace murk_trace_defaults(
     void); /* threads 1; caps 1e5 events, 1e4 wraps; least weight 1 */
