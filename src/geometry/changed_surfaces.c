@@ -8,19 +8,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A triangle or a sphere: all that an answer about a segment depends on.
- * Compared as bytes, so there must be no unused ones. */
+/* A triangle or a sphere: all that an answer about a segment depends on. */
 typedef struct face {
     double place[9]; /* corners; or center, radius and zeros */
-    uint64_t kind;   /* of the face, whether it is a sphere, and of a sheet the
-                      * material */
+    murk_face kind;
+    bool is_sphere;
+    uint16_t material; /* NO_MATERIAL: it does not count */
 } face;
 
-_Static_assert(sizeof(face) == 10 * sizeof(double), "no padding in a face");
+#define NO_MATERIAL UINT16_MAX
 
 static int compare_faces(const void *a, const void *b)
 {
-    return memcmp(a, b, sizeof(face));
+    const face *p = a, *q = b;
+    const int order = memcmp(p->place, q->place, sizeof p->place);
+    return order                          ? order
+           : p->kind != q->kind           ? (p->kind < q->kind ? -1 : 1)
+           : p->is_sphere != q->is_sphere ? (q->is_sphere ? -1 : 1)
+           : p->material != q->material   ? (p->material < q->material ? -1 : 1)
+                                          : 0;
 }
 
 static murk_face kind_of(const size_t first[MURK_FACES + 1], size_t i)
@@ -32,41 +38,11 @@ static murk_face kind_of(const size_t first[MURK_FACES + 1], size_t i)
     return (murk_face)kind;
 }
 
-static uint64_t pack_kind(murk_face kind, uint8_t material, bool is_sphere)
-{
-    return (uint64_t)kind << 16 | (uint64_t)is_sphere << 8 |
-           (kind == MURK_FACE_SHEET ? material : 0);
-}
-
-/* Face i of the soup: triangles come first, then spheres. */
-static face face_of(const murk_soup *soup, size_t i)
-{
-    face out = {{0}, 0};
-    const uint8_t material = murk_soup_material(soup, i);
-    if (i < soup->triangles) {
-        const murk_triangle t = murk_soup_triangle(soup, i);
-        const murk_vec3 corner[3] = {t.a, t.b, t.c};
-        for (size_t k = 0; k < 9; ++k) {
-            out.place[k] = murk_component(corner[k / 3], (int)(k % 3));
-        }
-        out.kind = pack_kind(kind_of(soup->first_triangle, i), material, false);
-        return out;
-    }
-    const size_t k = i - soup->triangles;
-    const murk_stored_sphere *s = &soup->sphere[k];
-    out.place[0] = s->center.x;
-    out.place[1] = s->center.y;
-    out.place[2] = s->center.z;
-    out.place[3] = s->radius;
-    out.kind = pack_kind(kind_of(soup->first_sphere, k), material, true);
-    return out;
-}
-
 static murk_box box_of(const face *f, murk_vec3 anchor)
 {
     const double *p = f->place;
     const murk_vec3 first = murk_add(anchor, murk_vec(p[0], p[1], p[2]));
-    if (f->kind >> 8 & 1) {
+    if (f->is_sphere) {
         return murk_box_of_ball(first, p[3]);
     }
     murk_box box = murk_box_with(murk_box_empty(), first);
@@ -82,33 +58,66 @@ static size_t faces(const murk_surfaces *s)
     return s->soup.triangles + s->soup.spheres;
 }
 
-/* True if sheets of the material of that number transmit the same in both. Of
- * other faces the kind decides. */
-static bool is_same_sheet(const murk_surfaces *a, const murk_surfaces *b,
-                          size_t i)
+#define SAME(a, b, member) \
+    (memcmp(&(a)->member, &(b)->member, sizeof(a)->member) == 0)
+
+/* True if the material of that number transmits the same in both, and has the
+ * same other properties if these count. */
+static bool is_same_material(const murk_surfaces *a, const murk_surfaces *b,
+                             size_t i, bool with_materials)
 {
-    return i < a->n_materials && i < b->n_materials &&
-           memcmp(&a->material[i].transmit, &b->material[i].transmit,
-                  sizeof a->material[i].transmit) == 0;
+    if (i >= a->n_materials || i >= b->n_materials) {
+        return false;
+    }
+    const murk_material *p = &a->material[i], *q = &b->material[i];
+    return SAME(p, q, transmit) &&
+           (!with_materials ||
+            (SAME(p, q, diffuse) && SAME(p, q, specular) && SAME(p, q, ior)));
 }
 
 /* Two lists of faces that are compared. */
 typedef struct comparison {
     const murk_surfaces *a, *b;
-    bool is_same[MURK_MATERIALS_MAX]; /* sheets of the material transmit the
-                                       * same in both */
+    bool with_materials;              /* of all faces; false: of sheets */
+    bool is_same[MURK_MATERIALS_MAX]; /* the material is the same in both */
 } comparison;
 
-/* False for a sheet whose material has changed. */
+/* False if the material counts and has changed. */
 static bool is_as_before(const comparison *c, const face *f)
 {
-    return f->kind >> 16 != MURK_FACE_SHEET || c->is_same[f->kind & 0xff];
+    return f->material == NO_MATERIAL || c->is_same[f->material];
+}
+
+/* Face i of a soup: triangles come first, then spheres. */
+static face face_of(const comparison *c, const murk_soup *soup, size_t i)
+{
+    face out = {.is_sphere = i >= soup->triangles, .material = NO_MATERIAL};
+    if (!out.is_sphere) {
+        const murk_triangle t = murk_soup_triangle(soup, i);
+        const murk_vec3 corner[3] = {t.a, t.b, t.c};
+        for (size_t k = 0; k < 9; ++k) {
+            out.place[k] = murk_component(corner[k / 3], (int)(k % 3));
+        }
+        out.kind = kind_of(soup->first_triangle, i);
+    } else {
+        const size_t k = i - soup->triangles;
+        const murk_stored_sphere *s = &soup->sphere[k];
+        out.place[0] = s->center.x;
+        out.place[1] = s->center.y;
+        out.place[2] = s->center.z;
+        out.place[3] = s->radius;
+        out.kind = kind_of(soup->first_sphere, k);
+    }
+    if (c->with_materials || out.kind == MURK_FACE_SHEET) {
+        out.material = murk_soup_material(soup, i);
+    }
+    return out;
 }
 
 /* True if face i of the first and face k of the second are the same. */
 static bool is_same_face(const comparison *c, size_t i, size_t k)
 {
-    const face p = face_of(&c->a->soup, i), q = face_of(&c->b->soup, k);
+    const face p = face_of(c, &c->a->soup, i), q = face_of(c, &c->b->soup, k);
     return compare_faces(&p, &q) == 0 && is_as_before(c, &p);
 }
 
@@ -147,10 +156,10 @@ static murk_status compare_between(murk_box_list *changed, const comparison *c,
         return murk_no_memory(err, "", "to compare %zu surfaces", n + m);
     }
     for (size_t i = 0; i < n; ++i) {
-        p[i] = face_of(&c->a->soup, begin + i);
+        p[i] = face_of(c, &c->a->soup, begin + i);
     }
     for (size_t k = 0; k < m; ++k) {
-        q[k] = face_of(&c->b->soup, begin + k);
+        q[k] = face_of(c, &c->b->soup, begin + k);
     }
     qsort(p, n, sizeof *p, compare_faces);
     qsort(q, m, sizeof *q, compare_faces);
@@ -171,15 +180,16 @@ static bool is_same_rounding(const murk_surfaces *a, const murk_surfaces *b)
 
 murk_status murk_changed_surfaces(murk_box_list *changed,
                                   const murk_surfaces *a,
-                                  const murk_surfaces *b, murk_error *err)
+                                  const murk_surfaces *b, bool with_materials,
+                                  murk_error *err)
 {
     if (!is_same_rounding(a, b)) {
         changed->are_all = true;
         return MURK_OK;
     }
-    comparison c = {.a = a, .b = b};
+    comparison c = {.a = a, .b = b, .with_materials = with_materials};
     for (size_t i = 0; i < MURK_MATERIALS_MAX; ++i) {
-        c.is_same[i] = is_same_sheet(a, b, i);
+        c.is_same[i] = is_same_material(a, b, i, with_materials);
     }
     /* Leave out equal faces at the beginning and at the end. */
     size_t begin = 0, end_a = faces(a), end_b = faces(b);

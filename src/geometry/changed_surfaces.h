@@ -10,10 +10,13 @@
  * that are thin sheets of another transmittance. A segment that does not meet
  * the boxes, enlarged by 2 murk_surfaces_leave_step_m(), has the same answers
  * in both sets, in every bit: blocked or not, and the transmittance of sheets.
- * Sets whose rounding differs (murk_surfaces_create_within()) differ
- * everywhere. Fails with MURK_NO_MEMORY. */
+ * with_materials: faces of a material with other properties count, too, so
+ * that the same holds for hits and for what happens there. Sets whose rounding
+ * differs (murk_surfaces_create_within()) differ everywhere. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_changed_surfaces(murk_box_list *changed,
                                   const murk_surfaces *a,
-                                  const murk_surfaces *b, murk_error *err);
+                                  const murk_surfaces *b, bool with_materials,
+                                  murk_error *err);
 
 #endif

@@ -51,11 +51,6 @@ static bool is_same_profile(const murk_profile *a, const murk_profile *b)
                   a->n * sizeof *a->extinction_per_m) == 0;
 }
 
-static bool is_same_phase(const murk_phase *a, const murk_phase *b)
-{
-    return a->kind == b->kind && SAME(a, b, value) && a->table == b->table;
-}
-
 /* The grid apart, compares all of a medium that optical depths depend on, and
  * with_scattering the rest. */
 static bool is_same_medium(const murk_medium *a, const murk_medium *b,
@@ -68,7 +63,7 @@ static bool is_same_medium(const murk_medium *a, const murk_medium *b,
         is_same =
             SAME(a, b, albedo) && is_same_grid(a->albedo_grid, b->albedo_grid);
         for (int band = 0; band < MURK_BANDS_MAX && is_same; ++band) {
-            is_same = is_same_phase(&a->phase[band], &b->phase[band]);
+            is_same = murk_phase_is_same(&a->phase[band], &b->phase[band]);
         }
     }
     return is_same;

@@ -10,7 +10,7 @@
  * enlarged by rounding, has the same optical depth in both sets, in every bit.
  * Sets whose regions do not correspond differ everywhere, as do two sets that
  * refract light and are not equal. with_scattering: albedo and phase function
- * count, too; tables of phase functions are then taken to differ. */
+ * count, too. */
 void murk_changed_media(murk_box_list *changed, const murk_media *a,
                         const murk_media *b, bool with_scattering);
 

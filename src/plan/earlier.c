@@ -3,19 +3,16 @@
 #include "plan/earlier.h"
 
 #include "base/sort.h"
-#include "geometry/changed_surfaces.h"
-#include "medium/changed_media.h"
+#include "world/changed_world.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #define NO_CANDIDATE UINT32_MAX
 
-/* The boxes of changed places are enlarged by so many steps off a surface
- * (murk_surfaces_leave_step_m()): a sightline begins one step off its photon,
- * rounding moves a ray by less than one, and a face that a ray passes at less
- * than one may count. */
-#define MARGIN_STEPS 4
+/* With fewer candidates it takes longer to find the photons that are the same
+ * than to test all sightlines (a choice). */
+#define CANDIDATES_MIN 16
 
 /* ---- equal photons ---- */
 
@@ -261,23 +258,6 @@ static bool accepts_scattered(const murk_scene_desc *scene)
     return accepts;
 }
 
-/* Fills rows->changed. */
-static murk_status find_changed(murk_earlier_rows *rows, const murk_stage *a,
-                                const murk_stage *b, murk_error *err)
-{
-    const murk_domain *p = &a->world.domain, *q = &b->world.domain;
-    rows->changed.are_all = p->is_periodic != q->is_periodic ||
-                            memcmp(&p->box, &q->box, sizeof p->box) != 0 ||
-                            a->boundary_meshes || b->boundary_meshes;
-    murk_changed_media(&rows->changed, a->media, b->media,
-                       accepts_scattered(b->scene));
-    const murk_status status =
-        murk_changed_surfaces(&rows->changed, a->surfaces, b->surfaces, err);
-    murk_box_list_grow(&rows->changed,
-                       MARGIN_STEPS * murk_surfaces_leave_step_m(b->surfaces));
-    return status;
-}
-
 /* A murk_known_rows.get. */
 static bool get_known(void *context, unsigned worker, size_t candidate,
                       murk_known_row *row)
@@ -313,13 +293,18 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     murk_earlier_rows rows = {0};
     *out = rows;
     if (!earlier || !earlier->plan->matrix || !murk_sight_may_know(sight) ||
+        plan->poses->count < CANDIDATES_MIN ||
         !has_same_settings(earlier->stage->scene, stage->scene)) {
         return MURK_OK;
     }
     /* The places that have changed, then the photons and candidates that have
      * not. */
     rows.matrix = earlier->plan->matrix;
-    murk_status status = find_changed(&rows, earlier->stage, stage, err);
+    const murk_world_use what = accepts_scattered(stage->scene)
+                                    ? MURK_USE_ACCEPTING_SIGHT
+                                    : MURK_USE_SIGHT;
+    const murk_status status =
+        murk_changed_world(&rows.changed, earlier->stage, stage, what, err);
     if (status || rows.changed.are_all) {
         return status;
     }

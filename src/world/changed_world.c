@@ -1,0 +1,31 @@
+/* Compares the surfaces and media of two stages, which decide about sightlines
+ * and paths. */
+#include "world/changed_world.h"
+
+#include "geometry/changed_surfaces.h"
+#include "medium/changed_media.h"
+
+#include <string.h>
+
+/* The boxes are enlarged by so many steps off a surface
+ * (murk_surfaces_leave_step_m()): a ray begins one step off its surface,
+ * rounding moves a ray by less than one, and a face that a ray passes at less
+ * than one may count. */
+#define MARGIN_STEPS 4
+
+murk_status murk_changed_world(murk_box_list *changed, const murk_stage *a,
+                               const murk_stage *b, murk_world_use what,
+                               murk_error *err)
+{
+    const murk_domain *p = &a->world.domain, *q = &b->world.domain;
+    *changed = (murk_box_list){
+        .are_all = p->is_periodic || q->is_periodic ||
+                   memcmp(&p->box, &q->box, sizeof p->box) != 0 ||
+                   a->boundary_meshes || b->boundary_meshes};
+    murk_changed_media(changed, a->media, b->media, what != MURK_USE_SIGHT);
+    const murk_status status = murk_changed_surfaces(
+        changed, a->surfaces, b->surfaces, what == MURK_USE_LIGHT, err);
+    murk_box_list_grow(changed,
+                       MARGIN_STEPS * murk_surfaces_leave_step_m(b->surfaces));
+    return status;
+}
