@@ -594,6 +594,10 @@ struct murk_scene_desc {
                       * the same light if their keys, the checksums of those
                       * files, and the files that their meshes name (buffers of
                       * glTF, mtllib of OBJ) are equal */
+    char *rules_key; /* the part of the resolved scene that has neither light
+                      * sources, surfaces and media nor what needs no light to
+                      * be traced again: if two scenes have equal ones, their
+                      * light differs only by the former */
     char *world_key; /* light_key without the keys `lights` and `site`: if two
                       * scenes have the same world_key and equal files, as for
                       * light_key, their light differs only by the light

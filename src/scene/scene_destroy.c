@@ -76,6 +76,7 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
     free(scene->idle);
     free(scene->resolved);
     free(scene->light_key);
+    free(scene->rules_key);
     free(scene->whole_key);
     free(scene->world_key);
     for (size_t i = 0; i < scene->files; ++i) {

@@ -1,8 +1,8 @@
 /* Reads a scene: parses the text, applies overrides and a variant, checks and
  * resolves the tree by the key table, resolves each condition in the same way,
  * prints the resolved scene and the texts by which results are recognised
- * (light_key, world_key, whole_key), and moves the scene to the local
- * origin. */
+ * (light_key, rules_key, world_key, whole_key), and moves the scene to the
+ * local origin. */
 #include "scene/scene.h"
 
 #include <limits.h>
@@ -132,6 +132,18 @@ static bool is_of_world(const char *key)
            strcmp(key, "site") != 0;
 }
 
+static bool is_of_rules(const char *key)
+{
+    static const char *const others[] = {
+        "lights",   "site",    "geometry",  "materials",  "media",   "regions",
+        "timeline", "sensors", "placement", "conditions", "cameras", "units"};
+    bool is_other = false;
+    for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
+        is_other = is_other || strcmp(key, others[i]) == 0;
+    }
+    return !is_other;
+}
+
 /* Prints the resolved scene with absolute paths, and lists the files. The paths
  * in the tree stay absolute until print_keys() replaces them by names of files.
  */
@@ -175,7 +187,9 @@ static char *print_key(const murk_key_reader *walk,
         return NULL;
     }
     murk_print_map(out, walk->root, is_wanted);
-    murk_medium_preset_sign(out, scene);
+    if (is_wanted("media")) {
+        murk_medium_preset_sign(out, scene);
+    }
     if (is_wanted("geometry") && scene->timeline.given) {
         fprintf(out, "rounding of the domain\n"); /* world/stage_build.c */
     }
@@ -191,8 +205,8 @@ static char *print_key(const murk_key_reader *walk,
     return murk_print_finish(out, &text);
 }
 
-/* Sets light_key, world_key and whole_key of the scene, the texts by which
- * results are recognised. Paths are replaced by names of files, so that a
+/* Sets light_key, rules_key, world_key and whole_key of the scene, the texts by
+ * which results are recognised. Paths are replaced by names of files, so that a
  * scene that moves with its files keeps these texts. */
 static murk_status print_keys(const murk_key_reader *walk,
                               murk_scene_desc *scene)
@@ -204,9 +218,11 @@ static murk_status print_keys(const murk_key_reader *walk,
         }
     }
     scene->light_key = print_key(walk, scene, is_of_light, false);
+    scene->rules_key = print_key(walk, scene, is_of_rules, false);
     scene->world_key = print_key(walk, scene, is_of_world, false);
     scene->whole_key = print_key(walk, scene, is_of_base, true);
-    return scene->light_key && scene->world_key && scene->whole_key
+    return scene->light_key && scene->rules_key && scene->world_key &&
+                   scene->whole_key
                ? MURK_OK
                : MURK_NO_MEMORY;
 }

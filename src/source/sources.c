@@ -204,6 +204,14 @@ size_t murk_sources_lit(const murk_sources *lights)
     return lights->n_lit;
 }
 
+bool murk_sources_deal_alike(const murk_sources *a, const murk_sources *b)
+{
+    const size_t n = a->n_dealt;
+    return n == b->n_dealt && n > 0 &&
+           memcmp(a->dealt, b->dealt, n * sizeof *a->dealt) == 0 &&
+           memcmp(a->limit, b->limit, (n - 1) * sizeof *a->limit) == 0;
+}
+
 size_t murk_sources_dealt(const murk_sources *lights)
 {
     return lights->n_dealt;

@@ -58,6 +58,9 @@ void murk_sources_destroy(murk_sources *lights); /* NULL is fine */
 murk_status murk_sources_deal_by(murk_sources *lights, const double *weight,
                                  murk_error *err);
 
+/* True if every photon has the same channel in both. */
+bool murk_sources_deal_alike(const murk_sources *a, const murk_sources *b);
+
 /* Channel c = light * bands + band. The power [W] may be 0. */
 size_t murk_sources_channels(const murk_sources *lights);
 double murk_sources_channel_power_w(const murk_sources *lights, size_t channel);
