@@ -599,6 +599,24 @@ static void remember(murk_follow *follow, murk_plan *plan)
     murk_plan_destroy(plan);
 }
 
+/* The box whose cells the light of a step has noted; false if it noted none. */
+static bool read_watched(const murk_follow *follow, size_t step, murk_box *out)
+{
+    cJSON *plan = read_json(follow, step, "plan.json");
+    const cJSON *list = at(plan, "run", "watched_m");
+    double corner[6] = {0};
+    int n = 0;
+    for (; n < 6 && cJSON_IsNumber(cJSON_GetArrayItem(list, n)); ++n) {
+        corner[n] = cJSON_GetArrayItem(list, n)->valuedouble;
+    }
+    *out = (murk_box){{corner[0], corner[1], corner[2]},
+                      {corner[3], corner[4], corner[5]}};
+    const bool is_box = n == 6 && out->min.x < out->max.x &&
+                        out->min.y < out->max.y && out->min.z < out->max.z;
+    cJSON_Delete(plan);
+    return is_box;
+}
+
 /* After steps of an earlier run: makes the plan of the last of them once more,
  * so that the next step takes over what it would have taken over without the
  * stop. Without a plan nothing is taken over. */
@@ -612,6 +630,7 @@ static void recall_before(murk_follow *follow)
     murk_scene *scene = NULL;
     murk_world *world = NULL;
     murk_plan *plan = NULL;
+    murk_box watched;
     follow->last_reused = 0;
     /* The same scene and start; what fails here only costs time. */
     const char *given = start && stat(start, &found) == 0 ? start : NULL;
@@ -621,7 +640,9 @@ static void recall_before(murk_follow *follow)
         status = murk_world_create(&world, scene, NULL);
     }
     if (!status) {
-        status = murk_plan_make_step(&plan, world, NULL, NULL);
+        const bool is_known = read_watched(follow, number, &watched);
+        status = murk_plan_make_step(&plan, world, NULL,
+                                     is_known ? &watched : NULL, NULL);
     }
     if (!status) {
         remember(follow, plan);
@@ -651,7 +672,8 @@ static murk_status make_step(murk_follow *follow, step_work *step,
         recall_before(follow);
     }
     if (!status) {
-        status = murk_plan_make_step(&plan, step->world, follow->before, &why);
+        status =
+            murk_plan_make_step(&plan, step->world, follow->before, NULL, &why);
     }
     if (!status) {
         status = save_step(follow, step, plan, err);

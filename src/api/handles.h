@@ -149,10 +149,13 @@ struct murk_plan {
 /* murk_plan_make() for a step of a sequence. A request to finish does not end
  * the search with the best plan so far: the call fails with MURK_INTERRUPTED.
  * The plan takes over what is the same in `earlier`, a plan that was made by
- * this function for the same scene at another time; NULL: none. The rows of
- * `earlier` are used up. */
+ * this function for the same scene at another time; the rows of `earlier` are
+ * used up. NULL: none; then the paths of photons are noted in the cells of
+ * `watched` (lightmap/path_cells.h), or, if that is NULL, too, of the domain.
+ */
 murk_status murk_plan_make_step(murk_plan **out, murk_world *world,
-                                murk_plan *earlier, murk_error *error);
+                                murk_plan *earlier, const murk_box *watched,
+                                murk_error *error);
 
 /* Adds the files in memory of a scene, if there are any, to the list of a
  * context, until murk_context_forget_arrays(). All stay in place till then. */

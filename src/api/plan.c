@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "cases/repeat_part.h"
+#include "lightmap/light_update.h"
 #include "plan/earlier.h"
 #include "results/plan_files.h"
 #include "results/repeat.h"
@@ -52,18 +53,53 @@ static murk_status place_conditions(murk_plan *plan, murk_error *err)
                                               threads, err);
 }
 
+/* The way in which a plan is made. */
+typedef struct making {
+    murk_light *light;  /* NULL: the light is traced by the call */
+    bool is_step;       /* of a sequence: a request to finish does not end the
+                         * search with the best plan so far */
+    murk_plan *earlier; /* is_step: the plan of the step before; NULL: none */
+    const murk_box *watched; /* is_step: murk_plan_make_step() */
+} making;
+
+/* Traces the light of a plan. For a step of a sequence that of the step before
+ * is updated, or the paths of photons are noted for the next one. */
+static murk_status trace(murk_plan *plan, const murk_box *watched,
+                         murk_error *err)
+{
+    murk_session *session = &plan->session;
+    const murk_stage *stage = session->stage;
+    const unsigned threads = plan->world->context->threads;
+    const murk_earlier_plan *earlier = plan->plan.earlier;
+    if (!plan->plan.keeps_matrix) {
+        return murk_lightmap_trace(&session->traced, stage, 0, threads, err);
+    }
+    watched = watched ? watched : &stage->world.domain.box;
+    const murk_status status =
+        earlier ? murk_lightmap_update(
+                      &session->traced, &session->run.reused_photons, stage,
+                      earlier->traced, earlier->stage, threads, err)
+                : murk_lightmap_trace_watched(&session->traced, stage, watched,
+                                              threads, err);
+    if (!status && session->traced->cells) {
+        session->run.has_watched = true;
+        session->run.watched = session->traced->cells->box;
+    }
+    return status;
+}
+
 /* Places sensors for the given light, or, if `light` is NULL, for light that is
  * traced here. Errors in the settings of sensors are found before light is
  * traced. */
-static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
+static murk_status place(murk_plan *plan, const making *m, murk_error *err)
 {
+    murk_light *light = m->light;
     murk_session *session = &plan->session;
     const unsigned threads = plan->world->context->threads;
     murk_status status =
         murk_plan_prepare(&plan->plan, session->stage, threads, err);
     if (!status && !light) {
-        status = murk_lightmap_trace(&session->traced, session->stage, 0,
-                                     threads, err);
+        status = trace(plan, m->watched, err);
     } else if (!status) {
         plan->light = light;
         ++light->references;
@@ -75,14 +111,6 @@ static murk_status place(murk_plan *plan, murk_light *light, murk_error *err)
                   : murk_plan_for_scene(&plan->plan, session->stage,
                                         session->traced, threads, err);
 }
-
-/* The way in which a plan is made. */
-typedef struct making {
-    murk_light *light;  /* NULL: the light is traced by the call */
-    bool is_step;       /* of a sequence: a request to finish does not end the
-                         * search with the best plan so far */
-    murk_plan *earlier; /* is_step: the plan of the step before; NULL: none */
-} making;
 
 /* Makes a plan over the conditions of the world, or, if there are none to place
  * over, for one light. */
@@ -110,7 +138,7 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
         plan->plan.keeps_matrix = m->is_step;
         murk_finish_allow(!m->is_step);
         status = has_conditions ? place_conditions(plan, &call.failure)
-                                : place(plan, m->light, &call.failure);
+                                : place(plan, m, &call.failure);
         murk_finish_allow(false);
         plan->plan.earlier = NULL;
     }
@@ -135,9 +163,11 @@ murk_status murk_plan_make(murk_plan **out, murk_world *world,
 }
 
 murk_status murk_plan_make_step(murk_plan **out, murk_world *world,
-                                murk_plan *earlier, murk_error *error)
+                                murk_plan *earlier, const murk_box *watched,
+                                murk_error *error)
 {
-    const making step = {.is_step = true, .earlier = earlier};
+    const making step = {
+        .is_step = true, .earlier = earlier, .watched = watched};
     *out = NULL;
     return plan_make(out, world, &step, error);
 }

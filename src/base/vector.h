@@ -172,6 +172,15 @@ static inline bool murk_box_holds(const murk_box *box, murk_vec3 p)
            p.y < box->max.y && p.z >= box->min.z && p.z < box->max.z;
 }
 
+/* The distance of a point from a box; 0 inside. */
+static inline double murk_box_distance(const murk_box *box, murk_vec3 p)
+{
+    const murk_vec3 off = {fmax(fmax(box->min.x - p.x, p.x - box->max.x), 0),
+                           fmax(fmax(box->min.y - p.y, p.y - box->max.y), 0),
+                           fmax(fmax(box->min.z - p.z, p.z - box->max.z), 0)};
+    return murk_length(off);
+}
+
 /* The largest magnitude of a coordinate of the corners of the box [m]. */
 static inline double murk_box_largest_coordinate(const murk_box *box)
 {

@@ -216,6 +216,7 @@ static murk_status send_wave(murk_emission *e, bool *is_done, murk_error *err)
         trace.sink = e->sink;
         trace.segment_sink = e->segment_sink;
         trace.context = e->context;
+        trace.takes_any_order = e->takes_any_order;
     } else {
         murk_record_buffers_receive(e->buffers, &trace);
     }

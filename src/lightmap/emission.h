@@ -43,7 +43,8 @@ typedef struct murk_emission {
      * of the other ranks. Collective. */
     murk_event_sink sink;
     murk_segment_sink segment_sink;
-    void *context; /* passed to both sinks */
+    void *context;        /* passed to both sinks */
+    bool takes_any_order; /* of sink: as murk_trace.takes_any_order */
     murk_status (*gather)(void *gather_context, uint64_t last, murk_error *err);
     murk_status (*exchange)(void *gather_context, const size_t *place, size_t n,
                             murk_status status, murk_error *err);

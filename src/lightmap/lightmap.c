@@ -12,7 +12,9 @@
 #include "base/scratch_file.h"
 #include "lightmap/checkpoint.h"
 #include "lightmap/emission.h"
+#include "lightmap/light_update.h"
 #include "lightmap/store_check.h"
+#include "lightmap/watching.h"
 #include "world/scene_tallies.h"
 
 #include <math.h>
@@ -189,10 +191,9 @@ static murk_status check_forecast(const murk_forecast *forecast,
 
 /* ---- tracing ---- */
 
-/* Sets the power of the photon packets of each channel. */
-static murk_status set_packet_powers(murk_traced *traced,
-                                     const murk_emission *emission,
-                                     murk_error *err)
+murk_status murk_traced_packet_powers(murk_traced *traced,
+                                      const murk_emission *emission,
+                                      murk_error *err)
 {
     uint64_t *count = calloc(traced->channels, sizeof *count);
     if (!count) {
@@ -239,7 +240,7 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
         status = murk_emission_check_losses(emission, err);
     }
     if (!status) {
-        status = set_packet_powers(traced, emission, err);
+        status = murk_traced_packet_powers(traced, emission, err);
     }
     status = murk_ranks_agree(status, err);
     if (status) {
@@ -279,7 +280,7 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
     murk_emission all = *e;
     all.emitted = e->emit;
     s->packet_w = traced->packet_w;
-    return set_packet_powers(traced, &all, err);
+    return murk_traced_packet_powers(traced, &all, err);
 }
 
 /* The largest size of a list in memory, if the other one has `other` records as
@@ -304,10 +305,13 @@ static void place_records(murk_record_buffers *buffers,
     buffers->passes = !murk_ranks_keeps_shared();
 }
 
+/* `watched`: the box whose cells on the paths of photons are noted; NULL:
+ * none. */
 static murk_status trace_light(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads, streaming *s,
                                const murk_light_parts *parts,
-                               murk_checkpoint *checkpoint, murk_error *err)
+                               murk_checkpoint *checkpoint,
+                               const murk_box *watched, murk_error *err)
 {
     const murk_scene_photons *settings = &stage->scene->photons;
     murk_forecast forecast = {.emitted = (double)settings->emit};
@@ -355,6 +359,18 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
     }
     e.tallies = traced->tallies;
     place_records(e.buffers, &forecast);
+    murk_watching watching = {e.buffers, NULL};
+    if (watched && murk_can_watch(stage)) {
+        status = murk_path_cells_create(&traced->cells, watched, settings->emit,
+                                        err);
+        watching.cells = traced->cells;
+        e.sink = murk_watch_event;
+        e.context = &watching;
+        e.takes_any_order = true;
+    }
+    if (status) {
+        goto done;
+    }
     status = prepare_stream(s, &e, traced, err);
     if (status) {
         goto done;
@@ -390,7 +406,17 @@ murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 murk_error *err)
 {
     streaming none = {.bands = stage->scene->bands};
-    return trace_light(out, stage, stream, threads, &none, NULL, NULL, err);
+    return trace_light(out, stage, stream, threads, &none, NULL, NULL, NULL,
+                       err);
+}
+
+murk_status murk_lightmap_trace_watched(murk_traced **out,
+                                        const murk_stage *stage,
+                                        const murk_box *watched,
+                                        unsigned threads, murk_error *err)
+{
+    streaming none = {.bands = stage->scene->bands};
+    return trace_light(out, stage, 0, threads, &none, NULL, NULL, watched, err);
 }
 
 /* Fails with MURK_BAD_FILE if the energies of merged parts cannot be those of a
@@ -417,7 +443,7 @@ murk_status murk_lightmap_merge(murk_traced **out, const murk_stage *stage,
     streaming none = {.bands = stage->scene->bands};
     murk_traced *traced = NULL;
     murk_status status =
-        trace_light(&traced, stage, 0, threads, &none, parts, NULL, err);
+        trace_light(&traced, stage, 0, threads, &none, parts, NULL, NULL, err);
     if (!status) {
         status = check_merged(traced, stage, err);
     }
@@ -440,7 +466,7 @@ murk_status murk_lightmap_resume(murk_traced **out, const murk_stage *stage,
     murk_status status = murk_checkpoint_read(&parts, path, stage, err);
     if (!status) {
         status = trace_light(&traced, stage, 0, threads, &none, parts,
-                             every_s > 0 ? &checkpoint : NULL, err);
+                             every_s > 0 ? &checkpoint : NULL, NULL, err);
     }
     if (!status && parts) {
         status = check_merged(traced, stage, err);
@@ -460,7 +486,7 @@ murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
 {
     streaming s = {
         .each = each, .context = context, .bands = stage->scene->bands};
-    return trace_light(out, stage, 0, threads, &s, NULL, NULL, err);
+    return trace_light(out, stage, 0, threads, &s, NULL, NULL, NULL, err);
 }
 
 murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
@@ -473,7 +499,7 @@ murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
                    .bands = stage->scene->bands,
                    .passes = true,
                    .bytes_each = bytes_each};
-    return trace_light(out, stage, stream, threads, &s, NULL, NULL, err);
+    return trace_light(out, stage, stream, threads, &s, NULL, NULL, NULL, err);
 }
 
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,
@@ -502,6 +528,7 @@ void murk_traced_destroy(murk_traced *traced)
         murk_photon_map_destroy(traced->volume);
         murk_ledger_destroy(traced->ledger);
         murk_tallies_destroy(traced->tallies);
+        murk_path_cells_destroy(traced->cells);
         free(traced->packet_w);
         free(traced);
     }

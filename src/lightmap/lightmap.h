@@ -9,6 +9,7 @@
 #define MURK_LIGHTMAP_LIGHTMAP_H
 
 #include "lightmap/light_part.h"
+#include "lightmap/path_cells.h"
 #include "photonmap/map.h"
 #include "world/stage.h"
 
@@ -22,6 +23,8 @@ typedef struct murk_traced {
     double *packet_w; /* [channels]: power of one photon packet; 0 for a channel
                        * without photons */
     murk_ledger *ledger;
+    murk_path_cells *cells; /* lightmap/light_update.h; NULL: no paths are
+                             * noted */
     murk_tallies *tallies; /* NULL if the scene has none, in a stream other than
                             * 0, and in light that was read from a file or
                             * scaled */

@@ -259,6 +259,14 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
         murk_json_number(reused, "photons", (double)run->reused_photons);
         murk_json_number(reused, "sightlines", (double)run->reused_sightlines);
     }
+    if (run->has_watched) {
+        const murk_vec3 *corner[] = {&run->watched.min, &run->watched.max};
+        cJSON *box = cJSON_AddArrayToObject(object, "watched_m");
+        for (int i = 0; i < 6; ++i) {
+            cJSON_AddItemToArray(
+                box, cJSON_CreateNumber(murk_component(*corner[i / 3], i % 3)));
+        }
+    }
     murk_json_number(object, "peak_memory_bytes", murk_machine_peak_bytes());
     char date[32] = "";
     const time_t now = time(NULL);

@@ -21,6 +21,8 @@ typedef struct murk_run_facts {
     double load_s, trace_s, map_s, sense_s, place_s, total_s;
     uint64_t reused_photons, reused_sightlines; /* taken over from the step
                                                  * before (murk follow) */
+    bool has_watched;
+    murk_box watched; /* box whose cells on the paths of photons are noted */
     cJSON *summary; /* lines of the summary (results/summary.h), borrowed; NULL:
                        none */
 } murk_run_facts;

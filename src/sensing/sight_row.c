@@ -39,6 +39,7 @@ typedef struct row_search {
     murk_path_viewpoint viewpoint; /* of the sensor, in `space` */
     murk_across across;            /* only with sight->interfaces */
     const murk_known_row *known;   /* NULL: no row is known */
+    murk_box_list changed;         /* those of `known` within range */
     uint32_t *photon;
     uint16_t *clarity;
     size_t seen;
@@ -150,8 +151,7 @@ static bool find_known(const row_search *l, uint32_t photon, murk_vec3 from,
 {
     const uint32_t column = l->known->column[photon];
     if (column == MURK_NO_COLUMN ||
-        murk_box_list_meet(l->known->changed, from,
-                           murk_sub(l->sensor, from))) {
+        murk_box_list_meet(&l->changed, from, murk_sub(l->sensor, from))) {
         return false;
     }
     *clarity = l->known->clarity[column];
@@ -406,6 +406,21 @@ static murk_sparse_row found_row(const row_search *l)
                              l->is_binary ? NULL : l->clarity};
 }
 
+/* The boxes that a sightline within range can meet. A photon is found up to the
+ * range in single precision, and its sightline begins off the surface. */
+static murk_box_list within_range(const row_search *l)
+{
+    const murk_box_list *all = l->known->changed;
+    const double range_m = 1.001 * l->range_m;
+    murk_box_list near = {.are_all = all->are_all};
+    for (size_t i = 0; i < all->n; ++i) {
+        if (murk_box_distance(&all->box[i], l->sensor) <= range_m) {
+            near.box[near.n++] = all->box[i];
+        }
+    }
+    return near;
+}
+
 bool murk_sight_may_know(const murk_sight *sight)
 {
     return !sight->has_interfaces && !sight->power &&
@@ -425,6 +440,9 @@ void murk_sight_row_from(murk_sight *sight, unsigned worker,
     const murk_sight_desc *desc = &sight->desc;
     row_search l = begin(sight, worker, pose);
     l.known = known;
+    if (known) {
+        l.changed = within_range(&l);
+    }
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {

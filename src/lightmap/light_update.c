@@ -1,0 +1,385 @@
+/* Traces again the photons that a change may touch: those whose path crosses a
+ * cell of a changed place, and those that start otherwise. Ledger and tallies
+ * are sums of integers, so a photon is taken out by tracing it in the earlier
+ * world with negative sign. */
+#include "lightmap/light_update.h"
+
+#include "base/interrupt.h"
+#include "base/machine.h"
+#include "base/progress.h"
+#include "base/ranks.h"
+#include "lightmap/emission.h"
+#include "lightmap/rank_exchange.h"
+#include "lightmap/watching.h"
+#include "world/changed_world.h"
+#include "world/scene_tallies.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* If more photons are listed, all are traced anew: a listed one is traced
+ * twice. */
+#define LISTED_SHARE_MAX 0.5
+
+/* If more photons are listed, and the surroundings of what has changed are so
+ * many times smaller than the cells that are noted now, all are traced anew,
+ * too, because finer cells make the next updates so much faster. */
+#define FEW_SHARE     0.1
+#define TIMES_SMALLER 4
+
+/* The cells cover what has changed, enlarged by its own size so many times on
+ * each side: what moves is likely to move on by less. */
+#define AHEAD 2
+
+/* ---- the photons that are traced ---- */
+
+typedef struct updating {
+    const murk_stage *stage, *before;
+    const murk_traced *earlier;
+    murk_traced *traced;
+    murk_record_buffers *buffers;
+    uint32_t *photon; /* [n] those that are traced */
+    size_t n;
+    unsigned threads;
+} updating;
+
+/* True if photons of the light start alike in both stages: a lamp with the same
+ * members but the power. Of other light it is found out photon by photon. */
+static bool is_same_lamp(const murk_source *a, const murk_source *b)
+{
+    murk_source p = *a, q = *b;
+    p.where = q.where = NULL;
+    p.power_w = q.power_w;
+    return !murk_source_is_distant(a) && a->portals == 0 && b->portals == 0 &&
+           memcmp(&p, &q, sizeof p) == 0;
+}
+
+/* How the photons of both stages start. */
+typedef struct start_comparison {
+    bool deals_alike;                    /* photons belong to the same light */
+    bool is_same_lamp[MURK_SOURCES_MAX]; /* same lamp, of any power */
+    bool are_all;                        /* all photons start alike */
+} start_comparison;
+
+static start_comparison compare_starts(const updating *u)
+{
+    const murk_sources *a = u->before->lights, *b = u->stage->lights;
+    start_comparison out = {.deals_alike = murk_sources_deal_alike(a, b)};
+    out.are_all =
+        out.deals_alike &&
+        memcmp(u->earlier->packet_w, u->traced->packet_w,
+               u->traced->channels * sizeof *u->traced->packet_w) == 0;
+    for (size_t i = 0; i < murk_sources_count(b); ++i) {
+        out.is_same_lamp[i] =
+            is_same_lamp(murk_sources_get(a, i), murk_sources_get(b, i));
+        out.are_all = out.are_all && out.is_same_lamp[i];
+    }
+    return out;
+}
+
+/* True if the photon starts alike, with the same power. Of light that is off
+ * nothing is traced, then or now. */
+static bool starts_alike(const updating *u, const start_comparison *c,
+                         uint64_t photon)
+{
+    const murk_sources *a = u->before->lights, *b = u->stage->lights;
+    const size_t channel = murk_sources_channel_of(b, photon);
+    const double *before_w = &u->earlier->packet_w[channel],
+                 *now_w = &u->traced->packet_w[channel];
+    if ((!c->deals_alike && channel != murk_sources_channel_of(a, photon)) ||
+        memcmp(before_w, now_w, sizeof *now_w) != 0) {
+        return false;
+    }
+    if (c->is_same_lamp[channel / (size_t)u->stage->world.bands] ||
+        !(*now_w > 0)) {
+        return true;
+    }
+    const uint32_t seed = u->stage->scene->seed;
+    const murk_ray p = murk_sources_emit_in(a, channel, seed, 0, photon),
+                   q = murk_sources_emit_in(b, channel, seed, 0, photon);
+    return memcmp(&p.origin, &q.origin, sizeof p.origin) == 0 &&
+           memcmp(&p.direction, &q.direction, sizeof p.direction) == 0 &&
+           p.is_spent == q.is_spent;
+}
+
+/* Lists the photons that start otherwise or cross one of the cells. A photon of
+ * light that is off crosses none. */
+static void list_photons(updating *u, uint64_t cells)
+{
+    const uint64_t *crossed = u->earlier->cells->crossed;
+    const start_comparison c = compare_starts(u);
+    u->n = 0;
+    for (uint64_t i = 0; i < u->earlier->emitted; ++i) {
+        if ((crossed[i] & cells) || (!c.are_all && !starts_alike(u, &c, i))) {
+            u->photon[u->n++] = (uint32_t)i;
+        }
+    }
+}
+
+/* ---- tracing ---- */
+
+static murk_trace trace_of(const updating *u, const murk_stage *stage)
+{
+    murk_trace trace = murk_stage_trace(stage);
+    trace.threads = u->threads;
+    trace.tallies = u->traced->tallies;
+    trace.photon = u->photon;
+    trace.last = u->n;
+    return trace;
+}
+
+/* Gives the new light the sums of ledger and tallies of the earlier one. */
+static murk_status copy_sums(const updating *u, murk_error *err)
+{
+    murk_light_sums sums;
+    const murk_status status = murk_light_sums_read(
+        &sums, u->earlier->ledger, u->earlier->tallies, false, MURK_OK, err);
+    if (!status) {
+        murk_ledger_add(u->traced->ledger, sums.cell);
+        if (u->traced->tallies) {
+            murk_tallies_add_sums(u->traced->tallies, sums.word);
+        }
+    }
+    murk_light_sums_release(&sums);
+    return status;
+}
+
+/* Takes the listed photons out of the sums. */
+static void take_out(const updating *u)
+{
+    murk_trace trace = trace_of(u, u->before);
+    trace.takes_back = true;
+    murk_trace_run(&trace, u->traced->ledger);
+}
+
+/* Traces the listed photons in the new world, in waves, and notes their paths.
+ */
+static murk_status trace_listed(updating *u, murk_error *err)
+{
+    murk_watching watching = {u->buffers, u->traced->cells};
+    murk_status status = MURK_OK;
+    for (size_t k = 0; k < u->n; ++k) {
+        u->traced->cells->crossed[u->photon[k]] = 0;
+    }
+    const size_t wave = (size_t)MURK_WAVE_BATCHES * MURK_BATCH_PHOTONS;
+    for (size_t first = 0; first < u->n && !status; first += wave) {
+        murk_trace trace = trace_of(u, u->stage);
+        trace.first = first;
+        trace.last = u->n - first < wave ? u->n : first + wave;
+        murk_watch(&watching, &trace);
+        murk_trace_run(&trace, u->traced->ledger);
+        status = murk_interrupt_check(err);
+        if (!status) {
+            status = murk_record_buffers_gather(u->buffers, UINT64_MAX, err);
+        }
+    }
+    return status;
+}
+
+/* ---- records ---- */
+
+/* Adds the records of an earlier map, without those of the listed photons. */
+static murk_status take_over(murk_record_list *list, const murk_photon_map *map,
+                             const uint64_t *is_listed, murk_error *err)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    const size_t n = murk_photon_map_count(map);
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < n && !status; ++i) {
+        const uint32_t k = murk_photon_emitted(&photon[i]);
+        if (!(is_listed[k / 64] >> (k % 64) & 1)) {
+            status = murk_record_list_put(list, &photon[i], err);
+        }
+    }
+    return status;
+}
+
+/* Adds the records of the photons that are not listed to those that were traced
+ * now. */
+static murk_status take_over_both(const updating *u, murk_error *err)
+{
+    uint64_t *is_listed =
+        calloc(u->earlier->emitted / 64 + 1, sizeof *is_listed);
+    if (!is_listed) {
+        return murk_no_memory(err, "", "for the photons that are traced again");
+    }
+    for (size_t k = 0; k < u->n; ++k) {
+        is_listed[u->photon[k] / 64] |= UINT64_C(1) << (u->photon[k] % 64);
+    }
+    murk_status status =
+        take_over(&u->buffers->surface, u->earlier->surface, is_listed, err);
+    if (!status) {
+        status =
+            take_over(&u->buffers->volume, u->earlier->volume, is_listed, err);
+    }
+    free(is_listed);
+    return status;
+}
+
+static murk_status build_maps(const updating *u, murk_error *err)
+{
+    murk_traced *traced = u->traced;
+    const double begun_s = murk_clock_s();
+    murk_status status = murk_record_list_map(
+        &traced->surface, &u->buffers->surface, u->threads, err);
+    if (!status) {
+        status = murk_record_list_map(&traced->volume, &u->buffers->volume,
+                                      u->threads, err);
+    }
+    traced->map_s = murk_clock_s() - begun_s;
+    return status;
+}
+
+/* ---- the update ---- */
+
+/* True if both stages trace photons by the same rules, so that a photon may be
+ * the same in both. */
+static bool has_same_rules(const murk_stage *a, const murk_stage *b,
+                           const murk_traced *earlier)
+{
+    return murk_can_watch(b) && earlier->cells && earlier->stream == 0 &&
+           strcmp(a->scene->rules_key, b->scene->rules_key) == 0 &&
+           earlier->emitted == b->scene->photons.emit &&
+           murk_sources_channels(a->lights) ==
+               murk_sources_channels(b->lights) &&
+           murk_surfaces_materials(a->surfaces) ==
+               murk_surfaces_materials(b->surfaces) &&
+           murk_media_count(a->media) == murk_media_count(b->media) &&
+           murk_sources_lit(b->lights) > 0;
+}
+
+/* Prepares the new light, and lists the photons that are traced. */
+static murk_status prepare(updating *u, uint64_t cells, murk_error *err)
+{
+    const murk_path_cells *before = u->earlier->cells;
+    u->traced = murk_traced_create(u->stage, 0, err);
+    u->buffers = murk_record_buffers_create(&u->stage->scene->photons);
+    u->photon = malloc(u->earlier->emitted * sizeof *u->photon + 1);
+    if (!u->traced || !u->buffers || !u->photon) {
+        return murk_no_memory(err, "", "to update the light");
+    }
+    u->traced->emitted = u->earlier->emitted;
+    murk_status status = murk_path_cells_create(&u->traced->cells, &before->box,
+                                                before->photons, err);
+    if (!status) {
+        memcpy(u->traced->cells->crossed, before->crossed,
+               before->photons * sizeof *before->crossed);
+        status = murk_traced_set_powers(u->traced, u->stage, err);
+    }
+    if (!status) {
+        list_photons(u, cells);
+    }
+    return status;
+}
+
+/* Traces the listed photons twice, and joins the result with what stays. */
+static murk_status update(updating *u, murk_error *err)
+{
+    murk_traced *traced = u->traced;
+    murk_status status =
+        murk_tallies_of_stage(&traced->tallies, u->stage, u->threads,
+                              murk_machine_memory_bytes(), err);
+    if (!status) {
+        status = copy_sums(u, err);
+    }
+    murk_progress_begin("update", 2 * u->n, "photons");
+    if (!status) {
+        take_out(u);
+        status = trace_listed(u, err);
+    }
+    murk_progress_end();
+    if (!status) {
+        status = murk_traced_check_losses(traced, u->stage, err);
+    }
+    /* The new records come in shares of a packet, the others in watts. */
+    if (!status) {
+        murk_record_buffers_to_watts(u->buffers, traced->packet_w,
+                                     u->stage->scene->bands);
+        status = take_over_both(u, err);
+    }
+    return status ? status : build_maps(u, err);
+}
+
+/* The box whose cells are noted when all photons are traced: the surroundings
+ * of what has changed; the domain if all has, or nothing. */
+static murk_box surroundings(const murk_box_list *changed,
+                             const murk_box *domain)
+{
+    murk_box box = murk_box_empty();
+    for (size_t i = 0; i < changed->n; ++i) {
+        box = murk_box_with(murk_box_with(box, changed->box[i].min),
+                            changed->box[i].max);
+    }
+    const murk_vec3 more = murk_scale(AHEAD, murk_sub(box.max, box.min));
+    box = murk_box_meet(
+        (murk_box){murk_sub(box.min, more), murk_add(box.max, more)}, *domain);
+    const bool is_box =
+        box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
+    return changed->are_all || !is_box ? *domain : box;
+}
+
+static double volume(const murk_box *box)
+{
+    const murk_vec3 edge = murk_sub(box->max, box->min);
+    return edge.x * edge.y * edge.z;
+}
+
+/* True if an update takes less time than to trace all photons, and than updates
+ * with the cells of the box `watched`. */
+static bool pays(const updating *u, const murk_box *watched)
+{
+    const double share = (double)u->n / (double)u->earlier->emitted;
+    const bool is_coarse =
+        TIMES_SMALLER * volume(watched) < volume(&u->earlier->cells->box);
+    return share <= (is_coarse ? FEW_SHARE : LISTED_SHARE_MAX);
+}
+
+murk_status murk_lightmap_update(murk_traced **out, uint64_t *reused,
+                                 const murk_stage *stage,
+                                 const murk_traced *earlier,
+                                 const murk_stage *earlier_stage,
+                                 unsigned threads, murk_error *err)
+{
+    const murk_box *domain = &stage->world.domain.box;
+    murk_box_list changed;
+    uint64_t cells = 0;
+    const double begun_s = murk_clock_s();
+    *reused = 0;
+    murk_status status =
+        murk_changed_world(&changed, earlier_stage, stage, MURK_USE_LIGHT, err);
+    if (status) {
+        return status;
+    }
+    const murk_box watched = surroundings(&changed, domain);
+    updating u = {.stage = stage,
+                  .before = earlier_stage,
+                  .earlier = earlier,
+                  .threads = threads};
+    /* Light from outside may be attenuated by all media on its way. */
+    bool can = has_same_rules(earlier_stage, stage, earlier) &&
+               !(stage->world.continues && (changed.n > 0 || changed.are_all));
+    if (can) {
+        can = murk_path_cells_of(&cells, earlier->cells, &changed, domain);
+    }
+    if (can) {
+        status = prepare(&u, cells, err);
+        can = !status && pays(&u, &watched);
+    }
+    if (can) {
+        status = update(&u, err);
+    }
+    /* Hand over, or trace all. */
+    if (can && !status) {
+        *reused = earlier->emitted - u.n;
+        u.traced->trace_s = murk_clock_s() - begun_s - u.traced->map_s;
+        *out = u.traced;
+        u.traced = NULL;
+    }
+    murk_record_buffers_destroy(u.buffers);
+    murk_traced_destroy(u.traced);
+    free(u.photon);
+    if (can || status) {
+        return status;
+    }
+    return murk_lightmap_trace_watched(out, stage, &watched, threads, err);
+}
