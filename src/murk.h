@@ -1002,6 +1002,49 @@ murk_status murk_plan_save(murk_plan *plan, const char *folder,
                            const murk_save_options *options,
                            const murk_fields **fields, murk_error *error);
 
+/* ---- update ---- */
+
+/* A world that changes step by step, such as one in which an object moves: each
+ * light, coverage and plan is made from that of the step before. */
+
+/* The world with an item of the geometry in another place: that of the scene
+ * with the keys geometry.ITEM.translate_m and, unless NULL, rotate_deg, each of
+ * three numbers [m], [degrees]. item: its name, or its number from 0. `world`
+ * stays as it is. Fails as murk_world_create(), and with MURK_BAD_VALUE if
+ * there is no such item or a track of the timeline moves it. */
+murk_status murk_world_move(murk_world **out, murk_world *world,
+                            const char *item, const double translate_m[3],
+                            const double *rotate_deg, murk_error *error);
+
+/* The light of a world from that of another world of the same scene, such as
+ * one of murk_world_move() or of another time: equal to that of
+ * murk_light_trace() in every bit. Photons whose path no change touches are not
+ * traced again. The first update of a light traces all photons and notes where
+ * they pass, 64 cells in a box around the change; later ones trace those that
+ * start otherwise or pass a changed cell; `run.reused` of ledger.json counts
+ * the others. All are traced with photons.store, in periodic domains,
+ * and after changes that fill the domain. `light` stays as it is. Fails as
+ * murk_light_trace(), and with MURK_BAD_VALUE if both are of different
+ * contexts. */
+murk_status murk_light_update(murk_light **out, murk_light *light,
+                              murk_world *world, murk_error *error);
+
+/* What the sensors of a coverage see of another light, such as an updated one.
+ * Fails as murk_coverage_measure(), and with MURK_BAD_VALUE if the scene of the
+ * light lacks the type of a sensor, or its place is outside of the domain. */
+murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
+                                 murk_light *light, murk_error *error);
+
+/* The plan for another light, such as an updated one, from a plan of the same
+ * scene: that of murk_plan_for_light() with the key placement.start_plan and
+ * the sensors of `plan`, in every bit. From the second update of a sequence on,
+ * the clarity of sightlines that no change touches is taken over from the plan
+ * before, within placement.memory_mb, and cannot be taken over again. Fails as
+ * murk_plan_for_light(), and with MURK_BAD_VALUE if `plan` is for a matrix or
+ * over conditions, or of another context than the light. */
+murk_status murk_plan_update(murk_plan **out, murk_plan *plan,
+                             murk_light *light, murk_error *error);
+
 /* ---- follow ---- */
 
 typedef struct murk_follow murk_follow;

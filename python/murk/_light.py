@@ -34,6 +34,23 @@ class World:
         self.c = ffi.gc(out[0], lib.murk_world_destroy)
         self.tallies: list[str] = [tally["name"] for tally in scene["tallies"]]
 
+    def move(self, item: str | int, translate_m: Sequence[float], rotate_deg: Sequence[float] | None = None) -> World:
+        """The world with an item of the geometry, by its name or number, in another place [m], [degrees]: World.
+
+        Light, coverage and plan of this world can be updated to it (`Light.update()`). Raises Error if there is no such
+        item.
+
+        Example: `moved = world.move("load", [19, 9, 4.8])`.
+        """
+        moved = object.__new__(World)
+        moved.context, moved.tallies = self.context, self.tallies
+        out = ffi.new("murk_world **")
+        place = ffi.new("double[3]", [float(x) for x in translate_m])
+        turn = ffi.NULL if rotate_deg is None else ffi.new("double[3]", [float(x) for x in rotate_deg])
+        call_long(self.context, lib.murk_world_move, out, self.c, c_text(str(item)), place, turn)
+        moved.c = ffi.gc(out[0], lib.murk_world_destroy)
+        return moved
+
     @property
     def bounds_m(self) -> NDArray[numpy.float64]:
         """The box of the domain: 2 x 3, the least and the largest corner [m].
@@ -285,7 +302,8 @@ class Light:
 
     def __init__(self, world: World, path: Path | None = None,
                  each_batch: Callable[[Batch], object] | None = None,
-                 parts: Sequence[Path] | None = None, checkpoint: Path | None = None, every_s: float = 0) -> None:
+                 parts: Sequence[Path] | None = None, checkpoint: Path | None = None, every_s: float = 0,
+                 earlier: Light | None = None) -> None:
         self.world = world
         self.context = world.context
         out = ffi.new("murk_light **")
@@ -295,6 +313,8 @@ class Light:
         elif parts is not None:
             texts = [c_text(part) for part in parts]  # live as long as the call
             call_long(self.context, lib.murk_light_merge, out, world.c, ffi.new("const char *[]", texts), len(texts))
+        elif earlier is not None:
+            call_long(self.context, lib.murk_light_update, out, handle_of(earlier), world.c)
         elif checkpoint is not None:
             call_long(self.context, lib.murk_light_trace_resume, out, world.c, c_text(checkpoint), every_s)
         elif path is None:
@@ -393,6 +413,16 @@ class Light:
             return {name: self.tally(name) for name in self.world.tallies}
         except Error:
             return {}
+
+    def update(self, world: World) -> Light:
+        """The light of another world of the same scene, as `World.move()` makes it, equal to `world.trace()`: Light.
+
+        Photons whose path no change touches are not traced again. The first update of a light traces all photons and
+        notes where they pass. Raises Error, and Interrupted if it is cancelled.
+
+        Example: `light = light.update(world.move("load", [19, 9, 4.8]))`.
+        """
+        return Light(world, earlier=self)
 
     def place(self) -> Plan:
         """Chooses the sensors for this light: Plan. Raises Error, also if the scene has conditions to place over.

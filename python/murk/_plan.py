@@ -47,14 +47,24 @@ class Coverage(Fielded):
     coverage: Result
     sensors: list[Result]
 
-    def __init__(self, light: Light, sensors: Sensors) -> None:
+    def __init__(self, light: Light, sensors: Sensors, earlier: Coverage | None = None) -> None:
         self.light = light
         self.context = light.context
         out = ffi.new("murk_coverage **")
         handle_of(light)
-        call_long(self.context, lib.murk_coverage_measure, out, light.c, new_sensors(light.world, sensors))
+        if earlier is None:
+            call_long(self.context, lib.murk_coverage_measure, out, light.c, new_sensors(light.world, sensors))
+        else:
+            call_long(self.context, lib.murk_coverage_update, out, handle_of(earlier), light.c)
         self.c = ffi.gc(out[0], lib.murk_coverage_destroy)
         self.result = result_of(lib.murk_coverage_fields, self.c)
+
+    def update(self, light: Light) -> Coverage:
+        """What the same sensors see of another light: Coverage. Raises Error if a sensor does not fit its scene.
+
+        Example: `coverage = coverage.update(light.update(world))`.
+        """
+        return Coverage(light, (), self)
 
     @property
     def matrix(self) -> NDArray[numpy.uint16]:
@@ -100,16 +110,28 @@ class Plan(Fielded):
     sensors: list[Result]
     coverage: Result
 
-    def __init__(self, world: World, light: Light | None = None) -> None:
+    def __init__(self, world: World, light: Light | None = None, earlier: Plan | None = None) -> None:
         self.world = world
         self.context = world.context
         out = ffi.new("murk_plan **")
-        if light is None:
+        if light is not None and earlier is not None:
+            call_long(self.context, lib.murk_plan_update, out, handle_of(earlier), handle_of(light))
+        elif light is None:
             call_long(self.context, lib.murk_plan_make, out, world.c)
         else:
             call_long(self.context, lib.murk_plan_for_light, out, light.c)
         self.c = ffi.gc(out[0], lib.murk_plan_destroy)
         self.result = result_of(lib.murk_plan_fields, self.c)
+
+    def update(self, light: Light) -> Plan:
+        """The plan for another light, as `Light.update()` makes it, whose search begins at this plan: Plan.
+
+        It is that of `placement.start_plan` with these sensors. From the second update of a sequence on, sightlines
+        that no change touches are not tested again. Raises Error as `Light.place()`.
+
+        Example: `plan = plan.update(light.update(world))`.
+        """
+        return Plan(light.world, light, self)
 
     def repeat(self, runs: int) -> Result:
         """Makes runs - 1 further plans with other seeds, each with light of its own: the field `repeat` of plan.json.

@@ -23,6 +23,38 @@ static murk_status measure(murk_coverage *coverage, murk_error *err)
     return status;
 }
 
+/* Copies the sensors, then measures. */
+static murk_status coverage_make(murk_coverage **out, murk_light *light,
+                                 const murk_pose *sensor, size_t n,
+                                 murk_error *error)
+{
+    murk_world *world = light->world;
+    murk_call call = murk_call_begin(world->context, &world->files, error);
+    murk_coverage *coverage = calloc(1, sizeof *coverage);
+    murk_pose *pose = calloc(n + 1, sizeof *pose);
+    murk_status status = MURK_NO_MEMORY;
+    /* The coverage has a reference to the light. */
+    if (coverage && pose) {
+        coverage->light = light;
+        ++light->references;
+        coverage->pose = pose;
+        coverage->n = n;
+        memcpy(pose, sensor, n * sizeof *pose);
+        status = measure(coverage, &call.failure);
+    } else {
+        free(coverage);
+        free(pose);
+        coverage = NULL;
+    }
+    status = murk_call_end_long(&call, status);
+    if (status) {
+        murk_coverage_destroy(coverage);
+        return status;
+    }
+    *out = coverage;
+    return MURK_OK;
+}
+
 murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
                                   const murk_sensors *sensors,
                                   murk_error *error)
@@ -41,31 +73,29 @@ murk_status murk_coverage_measure(murk_coverage **out, murk_light *light,
         !murk_stage_has_nothing_to_see(light->world->stage)) {
         return murk_call_refuse(error, "there are no sensors");
     }
-    /* Copy the sensors, then measure. */
-    murk_world *world = light->world;
-    murk_call call = murk_call_begin(world->context, &world->files, error);
-    murk_coverage *coverage = calloc(1, sizeof *coverage);
-    murk_pose *pose = calloc(sensors->n + 1, sizeof *pose);
-    murk_status status = MURK_NO_MEMORY;
-    if (coverage && pose) {
-        coverage->light = light;
-        ++light->references;
-        coverage->pose = pose;
-        coverage->n = sensors->n;
-        memcpy(pose, sensors->pose, sensors->n * sizeof *pose);
-        status = measure(coverage, &call.failure);
-    } else {
-        free(coverage);
-        free(pose);
-        coverage = NULL;
+    return coverage_make(out, light, sensors->pose, sensors->n, error);
+}
+
+murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
+                                 murk_light *light, murk_error *error)
+{
+    if (out) {
+        *out = NULL;
     }
-    status = murk_call_end_long(&call, status);
-    if (status) {
-        murk_coverage_destroy(coverage);
-        return status;
+    if (!out || !coverage || !light) {
+        return murk_call_refuse(error, "out, coverage or light is NULL");
     }
-    *out = coverage;
-    return MURK_OK;
+    /* The types of the sensors must be there, and their places. */
+    const murk_world *world = light->world;
+    const murk_box *domain = &world->stage->world.domain.box;
+    for (size_t i = 0; i < coverage->n; ++i) {
+        if (coverage->pose[i].type >= world->desc->sensors.types ||
+            !murk_box_contains(domain, coverage->pose[i].position)) {
+            return murk_call_refuse(error, "the light is of a scene without "
+                                           "the type or the place of a sensor");
+        }
+    }
+    return coverage_make(out, light, coverage->pose, coverage->n, error);
 }
 
 void murk_coverage_destroy(murk_coverage *coverage)

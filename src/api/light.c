@@ -3,6 +3,7 @@
 
 #include "api/save.h"
 #include "lightmap/light_part_trace.h"
+#include "lightmap/light_update.h"
 #include "results/exports.h"
 #include "results/ledger.h"
 #include "results/tallies.h"
@@ -67,6 +68,7 @@ typedef struct light_source {
     const char *checkpoint;
     double checkpoint_every_s;
     receiver *batches;
+    murk_light *earlier; /* of another world, to be updated */
 } light_source;
 
 static murk_status merge_parts(murk_light *light, const light_source *from,
@@ -92,6 +94,10 @@ static murk_status fill(murk_light *light, const light_source *from,
     const unsigned threads = light->world->context->threads;
     return from->file   ? read_light(light, from->file, err)
            : from->part ? merge_parts(light, from, err)
+           : from->earlier
+               ? murk_lightmap_update(out, &light->session.run.reused_photons,
+                                      stage, from->earlier->session.traced,
+                                      from->earlier->world->stage, threads, err)
            : from->checkpoint
                ? murk_lightmap_resume(out, stage, threads, from->checkpoint,
                                       from->checkpoint_every_s, err)
@@ -129,6 +135,23 @@ murk_status murk_light_trace(murk_light **out, murk_world *world,
     const light_source from = {.file = NULL};
     return out && world ? light_make(out, world, &from, error)
                         : murk_call_refuse(error, "out or world is NULL");
+}
+
+murk_status murk_light_update(murk_light **out, murk_light *light,
+                              murk_world *world, murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!out || !light || !world) {
+        return murk_call_refuse(error, "out, light or world is NULL");
+    }
+    if (light->world->context != world->context) {
+        return murk_call_refuse(error,
+                                "light and world are of different contexts");
+    }
+    const light_source from = {.earlier = light};
+    return light_make(out, world, &from, error);
 }
 
 murk_status murk_light_trace_resume(murk_light **out, murk_world *world,

@@ -55,10 +55,11 @@ static murk_status place_conditions(murk_plan *plan, murk_error *err)
 
 /* The way in which a plan is made. */
 typedef struct making {
-    murk_light *light;  /* NULL: the light is traced by the call */
-    bool is_step;       /* of a sequence: a request to finish does not end the
-                         * search with the best plan so far */
-    murk_plan *earlier; /* is_step: the plan of the step before; NULL: none */
+    murk_light *light; /* NULL: the light is traced by the call */
+    bool is_step; /* of murk follow: a request to finish does not end the search
+                   * with the best plan so far */
+    bool keeps;   /* what it has computed, for the plan that follows */
+    murk_plan *earlier;      /* keeps: the plan before; NULL: none */
     const murk_box *watched; /* is_step: murk_plan_make_step() */
 } making;
 
@@ -129,18 +130,23 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
                                      earlier->session.traced};
         plan->plan.earlier = &before;
     }
+    if (plan && earlier && !m->is_step) { /* steps name a file */
+        plan->plan.start_sensor = earlier->plan.sensor;
+        plan->plan.start_sensors = earlier->plan.place.count;
+    }
     if (plan && has_conditions && m->light) {
         status = murk_fail(&call.failure, MURK_BAD_VALUE,
                            world->desc->placement.where,
                            "over: each condition has a light of its own; must "
                            "be null to place for a given light");
     } else if (plan) {
-        plan->plan.keeps_matrix = m->is_step;
+        plan->plan.keeps_matrix = m->keeps;
         murk_finish_allow(!m->is_step);
         status = has_conditions ? place_conditions(plan, &call.failure)
                                 : place(plan, m, &call.failure);
         murk_finish_allow(false);
         plan->plan.earlier = NULL;
+        plan->plan.start_sensor = NULL;
     }
     status = murk_call_end_long(&call, status);
     if (status) {
@@ -167,7 +173,7 @@ murk_status murk_plan_make_step(murk_plan **out, murk_world *world,
                                 murk_error *error)
 {
     const making step = {
-        .is_step = true, .earlier = earlier, .watched = watched};
+        .is_step = true, .keeps = true, .earlier = earlier, .watched = watched};
     *out = NULL;
     return plan_make(out, world, &step, error);
 }
@@ -181,6 +187,27 @@ murk_status murk_plan_for_light(murk_plan **out, murk_light *light,
     return out && light
                ? plan_make(out, light->world, &(making){.light = light}, error)
                : murk_call_refuse(error, "out or light is NULL");
+}
+
+murk_status murk_plan_update(murk_plan **out, murk_plan *plan,
+                             murk_light *light, murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!out || !plan || !light) {
+        return murk_call_refuse(error, "out, plan or light is NULL");
+    }
+    if (plan->matrix || plan->conditions) {
+        return murk_call_refuse(error, "a plan for a matrix or over conditions "
+                                       "is not updated");
+    }
+    if (plan->world->context != light->world->context) {
+        return murk_call_refuse(error,
+                                "plan and light are of different contexts");
+    }
+    const making update = {.light = light, .keeps = true, .earlier = plan};
+    return plan_make(out, light->world, &update, error);
 }
 
 /* Begins a call in the context of the plan, with the files in memory of the

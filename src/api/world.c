@@ -2,11 +2,13 @@
  * built from it. */
 #include "api/scene.h"
 
+#include "base/number.h"
 #include "base/progress.h"
 #include "base/ranks.h"
 #include "world/stage_build.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -77,6 +79,96 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
                              world->desc);
     *out = world;
     return MURK_OK;
+}
+
+/* The number of an item of the geometry that a text names by its name or
+ * number; the number of items if there is none. */
+static size_t item_of(const murk_scene_desc *scene, const char *text)
+{
+    char number[32];
+    size_t i = 0;
+    for (; i < scene->geometries; ++i) {
+        snprintf(number, sizeof number, "%zu", i);
+        if (strcmp(text, scene->geometry[i].name) == 0 ||
+            strcmp(text, number) == 0) {
+            break;
+        }
+    }
+    return i;
+}
+
+/* Fails if a track of the timeline moves the item, too. */
+static murk_status check_free(const murk_scene_desc *scene, const char *item,
+                              murk_error *error)
+{
+    const size_t i = item_of(scene, item);
+    bool is_moved = false;
+    for (size_t k = 0; k < scene->timeline.tracks && i < scene->geometries;
+         ++k) {
+        const murk_scene_track *track = &scene->timeline.track[k];
+        is_moved = is_moved || (track->kind == MURK_TRACK_GEOMETRY &&
+                                item_of(scene, track->item) == i);
+    }
+    return is_moved ? murk_call_refuse(error, "a track of the timeline moves "
+                                              "this item; timeline.at_s says "
+                                              "the time")
+                    : MURK_OK;
+}
+
+/* Sets a key of an item of the geometry to a vector. */
+static murk_status set_vector(murk_scene *scene, const char *item,
+                              const char *key, const double value[3],
+                              murk_error *error)
+{
+    char text[4 * MURK_NUMBER_SIZE], number[3][MURK_NUMBER_SIZE];
+    const size_t size = strlen(item) + 64;
+    char *path = malloc(size);
+    if (!path) {
+        return murk_call_refuse(error, "out of memory");
+    }
+    for (int i = 0; i < 3; ++i) {
+        murk_number_print(number[i], value[i]);
+    }
+    snprintf(path, size, "geometry.%s.%s", item, key);
+    snprintf(text, sizeof text, "[%s, %s, %s]", number[0], number[1],
+             number[2]);
+    const murk_status status = murk_scene_set(scene, path, text, error);
+    free(path);
+    return status;
+}
+
+murk_status murk_world_move(murk_world **out, murk_world *world,
+                            const char *item, const double translate_m[3],
+                            const double *rotate_deg, murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    if (!out || !world || !item || !translate_m) {
+        return murk_call_refuse(error,
+                                "out, world, item or translate_m is NULL");
+    }
+    /* The resolved scene of the world, with the item in another place. */
+    murk_scene *scene = NULL;
+    murk_status status = check_free(world->desc, item, error);
+    if (!status) {
+        status = murk_scene_parse(&scene, world->context, world->desc->resolved,
+                                  world->desc->path, error);
+    }
+    if (!status && !murk_memory_copy(&scene->files, &world->files)) {
+        status = murk_call_refuse(error, "out of memory");
+    }
+    if (!status) {
+        status = set_vector(scene, item, "translate_m", translate_m, error);
+    }
+    if (!status && rotate_deg) {
+        status = set_vector(scene, item, "rotate_deg", rotate_deg, error);
+    }
+    if (!status) {
+        status = murk_world_create(out, scene, error);
+    }
+    murk_scene_destroy(scene);
+    return status;
 }
 
 void murk_world_release(murk_world *world)

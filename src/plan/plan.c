@@ -98,9 +98,14 @@ murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
             &plan->poses, stage->scene, &stage->world.domain,
             plan->candidates->position, plan->candidates->usable, err);
     }
+    /* The search begins at a plan that is updated, or at that of the scene. */
     if (!status) {
-        status = murk_start_plan_match(plan->poses, stage->scene,
-                                       &stage->world.domain, err);
+        status = plan->start_sensor
+                     ? murk_start_plan_take(plan->poses, plan->start_sensor,
+                                            plan->start_sensors,
+                                            "the plan that is updated", err)
+                     : murk_start_plan_match(plan->poses, stage->scene,
+                                             &stage->world.domain, err);
     }
     if (!status && stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
         status = murk_explore_start(&plan->start, stage, plan->candidates,

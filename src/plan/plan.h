@@ -109,7 +109,11 @@ typedef struct murk_earlier_plan murk_earlier_plan; /* plan/earlier.h */
 typedef struct murk_plan_result {
     bool without_curve; /* set by the caller: compute the plan alone, without
                          * the curve over smaller numbers of sensors */
-    bool keeps_matrix;  /* set by the caller: `matrix` stays */
+    const murk_pose *start_sensor; /* set by the caller: [start_sensors], at
+                                    * which the search begins in place of
+                                    * placement.start_plan; NULL: none */
+    size_t start_sensors;
+    bool keeps_matrix;                /* set by the caller: `matrix` stays */
     const murk_earlier_plan *earlier; /* set by the caller: a plan whose rows
                                        * are taken over where they are the
                                        * same; NULL: none. Its matrix is

@@ -72,7 +72,7 @@ typedef struct farthest {
     double distance_m;
 } farthest;
 
-static void note_distance(const murk_poses *poses, const murk_scene_desc *scene,
+static void note_distance(const murk_poses *poses, const char *where,
                           const farthest *far)
 {
     const double next_m =
@@ -83,16 +83,14 @@ static void note_distance(const murk_poses *poses, const murk_scene_desc *scene,
             "%s: sensor %zu lies %.3g m from the nearest candidate of its "
             "type, which is %.3g m from the next candidate; the search "
             "begins at the nearest candidates",
-            scene->placement.start_plan, far->sensor + 1, far->distance_m,
-            next_m);
+            where, far->sensor + 1, far->distance_m, next_m);
     }
 }
 
 /* Fills poses->start, which has space for n candidates; is_taken[poses->count]
  * is false at first. */
-static void match(murk_poses *poses, bool *is_taken,
-                  const murk_scene_desc *scene, const murk_pose *sensor,
-                  size_t n)
+static void match(murk_poses *poses, bool *is_taken, const murk_pose *sensor,
+                  size_t n, const char *where)
 {
     farthest far = {.distance_m = 0};
     for (size_t i = 0; i < n; ++i) {
@@ -109,7 +107,21 @@ static void match(murk_poses *poses, bool *is_taken,
             poses->start[poses->starts++] = (uint32_t)j;
         }
     }
-    note_distance(poses, scene, &far);
+    note_distance(poses, where, &far);
+}
+
+murk_status murk_start_plan_take(murk_poses *poses, const murk_pose *sensor,
+                                 size_t n, const char *where, murk_error *err)
+{
+    bool *is_taken = calloc(poses->count + 1, sizeof *is_taken);
+    poses->start = calloc(n + 1, sizeof *poses->start);
+    if (!poses->start || !is_taken) {
+        free(is_taken);
+        return murk_no_memory(err, where, "for a plan of %zu sensors", n);
+    }
+    match(poses, is_taken, sensor, n, where);
+    free(is_taken);
+    return MURK_OK;
 }
 
 murk_status murk_start_plan_match(murk_poses *poses,
@@ -118,7 +130,6 @@ murk_status murk_start_plan_match(murk_poses *poses,
 {
     const char *path = scene->placement.start_plan;
     murk_pose *sensor = NULL;
-    bool *is_taken = NULL;
     size_t n = 0;
     if (!path) {
         return MURK_OK;
@@ -127,17 +138,8 @@ murk_status murk_start_plan_match(murk_poses *poses,
     murk_status status =
         murk_placement_read(&sensor, &n, path, 0, scene, domain, err);
     if (!status) {
-        poses->start = calloc(n + 1, sizeof *poses->start);
-        is_taken = calloc(poses->count + 1, sizeof *is_taken);
-        status =
-            poses->start && is_taken
-                ? MURK_OK
-                : murk_no_memory(err, path, "for a plan of %zu sensors", n);
+        status = murk_start_plan_take(poses, sensor, n, path, err);
     }
-    if (!status) {
-        match(poses, is_taken, scene, sensor, n);
-    }
-    free(is_taken);
     free(sensor);
     return status;
 }

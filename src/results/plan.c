@@ -177,7 +177,8 @@ static void list_placement(murk_results_fields *f, const void *of)
     /* Work of the search. */
     MURK_COUNT(f, "restarts", "starts asked for", asked->restarts);
     MURK_COUNT(f, "starts", "starts made", plan->place.restarts);
-    if (MURK_LISTED_IF(f, asked->start_plan)) {
+    if (MURK_LISTED_IF(f, asked->start_plan ||
+                              (plan->poses && plan->poses->start))) {
         MURK_COUNT(f, "started_from",
                    "sensors of the start plan that the search began with",
                    plan->place.started_from);

@@ -26,6 +26,49 @@ import numpy
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "same"))
 from recorded import exr_data
 
+# ---- updates ----
+
+
+def updates():
+    """A box moves: light, coverage and plan that are updated equal those of a scene with the box there."""
+    room = {**ROOM, "geometry": [*ROOM["geometry"],
+                                 {"name": "crate", "box": {"min_m": [0, 0, 0], "max_m": [0.5, 0.5, 0.5]},
+                                  "translate_m": [1, 1, 0.1]}]}
+    number = len(room["geometry"]) - 1
+    world = murk.Scene(room).world()
+    light = world.trace()
+    plan = light.place()
+    seen = light.sense(plan.sensors)
+    for place in ([1.3, 1, 0.1], [1.6, 1, 0.1], [1.6, 1.2, 0.1], [1.6, 1.2, 0.1]):
+        before = plan.sensors
+        world = world.move("crate", place)
+        light = light.update(world)
+        seen, plan = seen.update(light), plan.update(light)
+        with tempfile.TemporaryDirectory() as folder:
+            start = os.path.join(folder, "start.json")
+            with open(start, "w", encoding="utf-8") as file:
+                json.dump({"sensors": before}, file)
+            fresh = murk.Scene(room)
+            fresh[f"geometry.{number}.translate_m"] = place
+            fresh["placement.start_plan"] = start
+            other = fresh.trace()
+            there = other.place()
+        for records in ("surface", "volume"):
+            check(numpy.array_equal(getattr(light, records), getattr(other, records)), f"{records} records at {place}")
+        ledgers = [{**of.ledger, "scene_sha256": ""} for of in (light, other)]  # of the text, which says it otherwise
+        check(ledgers[0] == ledgers[1], f"the ledger at {place}")
+        check(seen.coverage == other.sense(seen.sensors).coverage, f"coverage at {place}")
+        for field in ("sensors", "coverage", "bound", "placement"):
+            check(getattr(plan, field) == getattr(there, field), f"{field} of the plan at {place}")
+    for wrong, moved in (("no such item", lambda: world.move("table", [0, 0, 0])),
+                         ("not finite", lambda: world.move(number, [numpy.nan, 0, 0]))):
+        try:
+            moved()
+            check(False, f"{wrong} is refused")
+        except murk.Error as error:
+            check(len(str(error).splitlines()) == 1, f"{wrong}: {error}")
+
+
 # ---- the program's results ----
 
 
@@ -724,6 +767,7 @@ def main():
     interpreter_is_free()
     interrupt()
     batches()
+    updates()
     progress_and_log()
     pickles()
     leaks()

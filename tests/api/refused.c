@@ -22,6 +22,7 @@ typedef struct given {
 
 static const char *const keys[] = {"media.fog.albedo"};
 static const char *const no_parts[] = {"no-such.part"};
+static const double place[3];
 
 /* Cancels a trace. */
 static int cancel(void *user, murk_batch *batch)
@@ -63,6 +64,14 @@ static int cancel(void *user, murk_batch *batch)
       "has a text, must be a scene of murk_scene_create()")                    \
     X(study, murk_study_read, (&out, g->context, NULL, NULL, &error),          \
       (&out, g->context, "no-such-study.yaml", NULL, &error), "cannot read")   \
+    X(world, murk_world_move, (&out, g->world, NULL, place, NULL, &error),     \
+      (&out, g->world, "no-such-item", place, NULL, &error), "no-such-item")   \
+    X(light, murk_light_update, (&out, g->light, NULL, &error),                \
+      (&out, g->light, g->small, &error), "max_stored allows 1")               \
+    X(coverage, murk_coverage_update, (&out, NULL, g->light, &error),          \
+      (&out, NULL, g->light, &error), "is NULL")                               \
+    X(plan, murk_plan_update, (&out, NULL, g->light, &error),                  \
+      (&out, NULL, g->light, &error), "is NULL")                               \
     X(follow, murk_follow_create, (&out, NULL, NULL, NULL, &error),            \
       (&out, g->scene, NULL, NULL, &error), "has no timeline")                 \
     X(fit, murk_fit_create, (&out, g->scene, NULL, keys, 1, NULL, &error),     \
