@@ -289,7 +289,10 @@ static murk_status update(updating *u, murk_error *err)
     }
     murk_progress_end();
     if (!status) {
-        status = murk_traced_check_losses(traced, u->stage, err);
+        const murk_emission all = {.stage = u->stage,
+                                   .emitted = traced->emitted,
+                                   .ledger = traced->ledger};
+        status = murk_emission_check_losses(&all, err);
     }
     /* The new records come in shares of a packet, the others in watts. */
     if (!status) {

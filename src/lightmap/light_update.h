@@ -6,25 +6,14 @@
 
 #include "lightmap/lightmap.h"
 
-/* Traces light of stream 0 as murk_lightmap_trace() does, and notes the paths
- * of the photons in traced->cells, the cells of a box, where that can serve an
- * update: photons.emit, at most MURK_UPDATE_PHOTONS_MAX photons, free flight by
- * marching, an open domain, one rank. */
-murk_status murk_lightmap_trace_watched(murk_traced **out,
-                                        const murk_stage *stage,
-                                        const murk_box *watched,
-                                        unsigned threads, murk_error *err);
-
-/* The paths take 8 bytes a photon. */
-#define MURK_UPDATE_PHOTONS_MAX 100000000
-
 /* The light of `stage`, from `earlier`, which was traced for `earlier_stage`
- * by one of these functions; *reused becomes the number of emitted photons that
- * were not traced. Photons that a change may touch are traced twice: in the
- * earlier world to subtract their contributions to ledger and tallies, then in
- * the new one. All photons are traced, once, where the cells do not tell or
- * that is faster; the cells then cover the surroundings of what has changed
- * now. `earlier` stays as it is. Fails as murk_lightmap_trace(). */
+ * by this function or by murk_lightmap_trace_watched(); *reused becomes the
+ * number of emitted photons that were not traced. Photons that a change may
+ * touch are traced twice: in the earlier world to subtract their contributions
+ * to ledger and tallies, then in the new one. All photons are traced, once,
+ * where the cells do not tell or that is faster; the cells then cover the
+ * surroundings of what has changed now. `earlier` stays as it is. Fails as
+ * murk_lightmap_trace(). */
 murk_status murk_lightmap_update(murk_traced **out, uint64_t *reused,
                                  const murk_stage *stage,
                                  const murk_traced *earlier,

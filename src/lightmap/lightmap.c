@@ -12,7 +12,6 @@
 #include "base/scratch_file.h"
 #include "lightmap/checkpoint.h"
 #include "lightmap/emission.h"
-#include "lightmap/light_update.h"
 #include "lightmap/store_check.h"
 #include "lightmap/watching.h"
 #include "world/scene_tallies.h"
@@ -191,9 +190,10 @@ static murk_status check_forecast(const murk_forecast *forecast,
 
 /* ---- tracing ---- */
 
-murk_status murk_traced_packet_powers(murk_traced *traced,
-                                      const murk_emission *emission,
-                                      murk_error *err)
+/* Sets the power of the photon packets of each channel. */
+static murk_status set_packet_powers(murk_traced *traced,
+                                     const murk_emission *emission,
+                                     murk_error *err)
 {
     uint64_t *count = calloc(traced->channels, sizeof *count);
     if (!count) {
@@ -203,6 +203,13 @@ murk_status murk_traced_packet_powers(murk_traced *traced,
     murk_emission_packet_powers(emission, count, traced->packet_w);
     free(count);
     return MURK_OK;
+}
+
+murk_status murk_traced_set_powers(murk_traced *traced, const murk_stage *stage,
+                                   murk_error *err)
+{
+    const murk_emission all = {.stage = stage, .emitted = traced->emitted};
+    return set_packet_powers(traced, &all, err);
 }
 
 /* A sink of batches between the record buffers and the sink of the caller. */
@@ -240,7 +247,7 @@ static murk_status finish(murk_traced *traced, const murk_emission *emission,
         status = murk_emission_check_losses(emission, err);
     }
     if (!status) {
-        status = murk_traced_packet_powers(traced, emission, err);
+        status = set_packet_powers(traced, emission, err);
     }
     status = murk_ranks_agree(status, err);
     if (status) {
@@ -280,7 +287,7 @@ static murk_status prepare_stream(streaming *s, murk_emission *e,
     murk_emission all = *e;
     all.emitted = e->emit;
     s->packet_w = traced->packet_w;
-    return murk_traced_packet_powers(traced, &all, err);
+    return set_packet_powers(traced, &all, err);
 }
 
 /* The largest size of a list in memory, if the other one has `other` records as

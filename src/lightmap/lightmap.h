@@ -72,6 +72,19 @@ void murk_warn_of_escape(const murk_stage *stage, double escaped_share);
 murk_status murk_lightmap_trace(murk_traced **out, const murk_stage *stage,
                                 uint32_t stream, unsigned threads,
                                 murk_error *err);
+/* The light of stream 0 of murk_lightmap_trace(). Where that can serve an
+ * update (murk_can_watch() in lightmap/watching.h), traced->cells notes the
+ * paths of the photons in the cells of a box. */
+murk_status murk_lightmap_trace_watched(murk_traced **out,
+                                        const murk_stage *stage,
+                                        const murk_box *watched,
+                                        unsigned threads, murk_error *err);
+
+/* Sets packet_w for the photons that the light has emitted. Fails with
+ * MURK_NO_MEMORY. */
+murk_status murk_traced_set_powers(murk_traced *traced, const murk_stage *stage,
+                                   murk_error *err);
+
 /* The same light from parts of a run, in every bit (lightmap/light_part.h).
  * Batches that no part has are traced. Fails also with MURK_BAD_FILE if the
  * sums of the parts cannot be those of a run. */

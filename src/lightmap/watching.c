@@ -2,13 +2,11 @@
 #include "lightmap/watching.h"
 
 #include "base/ranks.h"
-#include "lightmap/emission.h"
-#include "lightmap/light_update.h"
 
 bool murk_can_watch(const murk_stage *stage)
 {
     const murk_scene_photons *settings = &stage->scene->photons;
-    return settings->emit > 0 && settings->emit <= MURK_UPDATE_PHOTONS_MAX &&
+    return settings->emit > 0 && settings->emit <= MURK_WATCHED_PHOTONS_MAX &&
            !stage->scene->by_delta && !stage->world.domain.is_periodic &&
            murk_ranks_count() == 1;
 }
@@ -25,19 +23,4 @@ void murk_watch(murk_watching *watching, murk_trace *trace)
     trace->sink = murk_watch_event;
     trace->context = watching;
     trace->takes_any_order = true;
-}
-
-murk_status murk_traced_set_powers(murk_traced *traced, const murk_stage *stage,
-                                   murk_error *err)
-{
-    const murk_emission all = {.stage = stage, .emitted = traced->emitted};
-    return murk_traced_packet_powers(traced, &all, err);
-}
-
-murk_status murk_traced_check_losses(const murk_traced *traced,
-                                     const murk_stage *stage, murk_error *err)
-{
-    const murk_emission all = {
-        .stage = stage, .emitted = traced->emitted, .ledger = traced->ledger};
-    return murk_emission_check_losses(&all, err);
 }

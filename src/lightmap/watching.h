@@ -3,10 +3,16 @@
 #ifndef MURK_LIGHTMAP_WATCHING_H
 #define MURK_LIGHTMAP_WATCHING_H
 
-#include "lightmap/lightmap.h"
+#include "lightmap/path_cells.h"
 #include "lightmap/record_buffers.h"
+#include "world/stage.h"
 
-/* True if an update of the light can serve (lightmap/light_update.h). */
+/* The paths take 8 bytes a photon. */
+#define MURK_WATCHED_PHOTONS_MAX 100000000
+
+/* True if an update of the light can make use of paths: photons.emit, at most
+ * MURK_WATCHED_PHOTONS_MAX photons, free flight by marching, an open domain,
+ * one rank. */
 bool murk_can_watch(const murk_stage *stage);
 
 /* The receivers of all events. */
@@ -20,19 +26,5 @@ void murk_watch_event(void *context, uint64_t batch, const murk_event *event);
 
 /* Sets the sink of a trace. */
 void murk_watch(murk_watching *watching, murk_trace *trace);
-
-/* Sets packet_w from the photons that were emitted. Fails with
- * MURK_NO_MEMORY. */
-struct murk_emission;
-murk_status murk_traced_packet_powers(murk_traced *traced,
-                                      const struct murk_emission *emission,
-                                      murk_error *err);
-
-/* Sets packet_w for all photons of the light, and fails with MURK_RUN_FAILED if
- * too many were lost (murk_emission_check_losses()). */
-murk_status murk_traced_set_powers(murk_traced *traced, const murk_stage *stage,
-                                   murk_error *err);
-murk_status murk_traced_check_losses(const murk_traced *traced,
-                                     const murk_stage *stage, murk_error *err);
 
 #endif

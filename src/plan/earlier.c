@@ -222,6 +222,13 @@ static bool find_candidates(murk_earlier_rows *rows, const murk_poses *earlier,
 
 /* ---- what both have in common ---- */
 
+/* Rows are binary if a photon counts for a target from some number of sensors
+ * on; 0: there is no such number. */
+static uint64_t at_least_of(const murk_scene_desc *scene)
+{
+    return scene->sensors.target > 0 ? scene->placement.at_least : 0;
+}
+
 /* True if the clarity of an unchanged sightline follows from the same settings
  * in both scenes. */
 static bool has_same_settings(const murk_scene_desc *a,
@@ -230,7 +237,7 @@ static bool has_same_settings(const murk_scene_desc *a,
     const murk_scene_placement *p = &a->placement, *q = &b->placement;
     if (p->detection != q->detection || p->threshold != q->threshold ||
         p->by_normal != q->by_normal || p->through != q->through ||
-        murk_plan_at_least(a) != murk_plan_at_least(b) || p->targets.given ||
+        at_least_of(a) != at_least_of(b) || p->targets.given ||
         q->targets.given ||
         memcmp(&a->north, &b->north, sizeof a->north) != 0 ||
         a->sensors.types != b->sensors.types) {
@@ -286,20 +293,20 @@ static bool allocate_scratch(murk_earlier_rows *rows, unsigned threads)
 
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
-                                     const murk_plan_result *plan,
+                                     const murk_poses *poses,
                                      const murk_stage *stage,
                                      const murk_sight *sight, murk_error *err)
 {
     murk_earlier_rows rows = {0};
     *out = rows;
-    if (!earlier || !earlier->plan->matrix || !murk_sight_may_know(sight) ||
-        plan->poses->count < CANDIDATES_MIN ||
+    if (!earlier || !*earlier->matrix || !murk_sight_may_know(sight) ||
+        poses->count < CANDIDATES_MIN ||
         !has_same_settings(earlier->stage->scene, stage->scene)) {
         return MURK_OK;
     }
     /* The places that have changed, then the photons and candidates that have
      * not. */
-    rows.matrix = earlier->plan->matrix;
+    rows.matrix = *earlier->matrix;
     const murk_world_use what = accepts_scattered(stage->scene)
                                     ? MURK_USE_ACCEPTING_SIGHT
                                     : MURK_USE_SIGHT;
@@ -309,7 +316,7 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
         return status;
     }
     if (!find_photons(&rows, earlier, sight) ||
-        !find_candidates(&rows, earlier->plan->poses, plan->poses) ||
+        !find_candidates(&rows, earlier->poses, poses) ||
         !allocate_scratch(&rows, murk_sight_described(sight)->threads)) {
         murk_earlier_rows_release(&rows);
         return murk_no_memory(err, "", "for the rows of the step before");

@@ -6,16 +6,20 @@
 #ifndef MURK_PLAN_EARLIER_H
 #define MURK_PLAN_EARLIER_H
 
-#include "plan/plan.h"
+#include "lightmap/lightmap.h"
+#include "plan/poses.h"
+#include "sensing/sight.h"
+#include "world/stage.h"
 
-/* An earlier plan with the matrix that it was chosen from
- * (murk_plan_result.matrix), and its world and light. Borrowed, but for the
- * matrix, which is destroyed when the new rows are complete. */
-struct murk_earlier_plan {
-    murk_plan_result *plan;
+/* What an earlier plan leaves: its world and light, its candidates, and the
+ * matrix that it was chosen from, NULL if it was not stored. All is borrowed,
+ * but for the matrix, which is destroyed when the new rows are complete. */
+typedef struct murk_earlier_plan {
     const murk_stage *stage;
     const murk_traced *traced;
-};
+    const murk_poses *poses;
+    murk_matrix **matrix;
+} murk_earlier_plan;
 
 typedef struct murk_earlier_rows {
     murk_known_rows known; /* for the placement problem of the new plan */
@@ -28,7 +32,8 @@ typedef struct murk_earlier_rows {
     murk_box_list changed;
 } murk_earlier_rows;
 
-/* Prepares to take over rows of `earlier`, NULL: of none. *out holds none, and
+/* Prepares to take over rows of `earlier`, NULL: of none, for the candidates of
+ * `poses`. *out holds none, and
  * is all 0, if nothing can be taken over: targets instead of photons, a sight
  * that knows no rows (murk_sight_may_know()), other settings of sensors or of
  * the domain, or a world that has changed everywhere. The caller releases *out
@@ -36,7 +41,7 @@ typedef struct murk_earlier_rows {
  * MURK_NO_MEMORY. */
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
-                                     const murk_plan_result *plan,
+                                     const murk_poses *poses,
                                      const murk_stage *stage,
                                      const murk_sight *sight, murk_error *err);
 void murk_earlier_rows_release(murk_earlier_rows *rows);

@@ -8,7 +8,6 @@
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
-#include "plan/earlier.h"
 #include "plan/row_cache.h"
 #include "plan/start_plan.h"
 
@@ -249,8 +248,8 @@ static uint64_t memory_taken(const murk_earlier_rows *rows, uint64_t memory)
 static void forget_earlier(murk_plan_result *plan)
 {
     if (plan->earlier) {
-        murk_matrix_destroy(plan->earlier->plan->matrix);
-        plan->earlier->plan->matrix = NULL;
+        murk_matrix_destroy(*plan->earlier->matrix);
+        *plan->earlier->matrix = NULL;
     }
 }
 
@@ -309,8 +308,8 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
      * plan, of which the new ones may take entries over, count towards the
      * memory of the rows. */
     murk_earlier_rows rows;
-    status =
-        murk_earlier_rows_create(&rows, plan->earlier, plan, stage, sight, err);
+    status = murk_earlier_rows_create(&rows, plan->earlier, plan->poses, stage,
+                                      sight, err);
     seen.problem.has_columns = plan->keeps_matrix;
     seen.known = rows.known.get ? &rows.known : NULL;
     const uint64_t taken = memory_taken(&rows, desc.row_memory);

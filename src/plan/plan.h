@@ -7,6 +7,7 @@
 
 #include "lightmap/lightmap.h"
 #include "placement/place.h"
+#include "plan/earlier.h"
 #include "plan/explore.h"
 #include "plan/poses.h"
 #include "plan/robust.h"
@@ -103,8 +104,6 @@ murk_status murk_plan_measure_streamed(murk_coverage_result *out,
 /* True if sensors cover other photons or targets in another stream; false if
  * the targets are a list, because a list is the same in all streams. */
 bool murk_plan_has_streams(const murk_scene_desc *scene);
-
-typedef struct murk_earlier_plan murk_earlier_plan; /* plan/earlier.h */
 
 typedef struct murk_plan_result {
     bool without_curve; /* set by the caller: compute the plan alone, without

@@ -396,8 +396,8 @@ static void check_rows(const step *s, const murk_earlier_plan *earlier,
     bool counts_differ;
     CHECK(murk_plan_sight(&sight, s->stage, s->traced, THREADS, &err) ==
           MURK_OK);
-    CHECK(murk_earlier_rows_create(&rows, earlier, &s->plan, s->stage, sight,
-                                   &err) == MURK_OK);
+    CHECK(murk_earlier_rows_create(&rows, earlier, s->plan.poses, s->stage,
+                                   sight, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     ++total.steps;
     if (rows.known.get) {
@@ -467,7 +467,8 @@ static void run_sequence(uint32_t sequence)
     step_choose(&last);
     for (uint32_t i = 1; i <= STEPS; ++i) {
         step next;
-        const murk_earlier_plan earlier = {&last.plan, last.stage, last.traced};
+        const murk_earlier_plan earlier = {last.stage, last.traced,
+                                           last.plan.poses, &last.plan.matrix};
         size_t before[KEYS];
         memcpy(before, choice, sizeof before);
         change(choice, sequence, i);
