@@ -2,7 +2,7 @@
 """murk follow from outside: each step equals what murk place makes of the scene at that time (--at) from the same
 start, its light that of murk trace, for any number of threads; the tables say what the plans say; a run that was
 stopped goes on to the same tables; a step whose scene is wrong is a row that says so. Standard library only.
-usage: follow.py MURK
+usage: follow.py MURK [scenes]   (scenes: those of the tree alone)
 """
 
 import csv
@@ -173,6 +173,23 @@ def goes_on(folder, scene, whole):
     check(without_seconds(out, "follow.csv") != without_seconds(whole, "follow.csv"), "another seed, the same table")
 
 
+def real_scenes(folder):
+    """The scenes of the tree with a timeline: steps equal the plans of their times."""
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scenes")
+    for name, words in (("crossing", ("--emit", "3000", "--set", "timeline.every_s=5400")),
+                        ("tide", ("--emit", "3000", "--set", "timeline.every_s=10800")),
+                        ("crane-hall", ("--emit", "2000", "--set", "timeline.every_s=20"))):
+        scene, out, alone = os.path.join(root, name + ".yaml"), os.path.join(folder, name), os.path.join(folder, "one")
+        run("follow", scene, "-o", out, *words)
+        rows = table(out, "follow.csv")
+        check(len(rows) == 3 and all(row["failed"] == "" for row in rows), name, rows)
+        step = os.path.join(out, "steps/0002")
+        run("place", scene, "--at", rows[2]["t_s"], "--start", os.path.join(step, "start.csv"), "-o", alone, "--force",
+            *words)
+        check(plan_of(step) == plan_of(alone), name, "plan of step 2")
+        check(bytes_of(step, "coverage.csv") == bytes_of(alone, "coverage.csv"), name, "coverage of step 2")
+
+
 def wrong_steps_say_so(folder, scene):
     """A step whose scene is wrong at its time."""
     out = os.path.join(folder, "wrong")
@@ -241,6 +258,9 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     path = os.path.join(top, "room.yaml")
     with open(path, "w") as file:
         file.write(SCENE)
+    if sys.argv[2:] == ["scenes"]:
+        real_scenes(top)
+        sys.exit(1 if failures else 0)
     steps_are_plans(top, path, "greedy")
     made = steps_are_plans(top, path, "best")
     moves_are_differences(made)
