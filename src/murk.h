@@ -1031,7 +1031,8 @@ murk_status murk_light_update(murk_light **out, murk_light *light,
 
 /* What the sensors of a coverage see of another light, such as an updated one.
  * Fails as murk_coverage_measure(), and with MURK_BAD_VALUE if the scene of the
- * light lacks the type of a sensor, or its place is outside of the domain. */
+ * light lacks the type of a sensor, or its place is outside of the domain, or
+ * if both scenes have other local origins. */
 murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
                                  murk_light *light, murk_error *error);
 
@@ -1041,7 +1042,7 @@ murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
  * the clarity of sightlines that no change touches is taken over from the plan
  * before, within placement.memory_mb, and cannot be taken over again. Fails as
  * murk_plan_for_light(), and with MURK_BAD_VALUE if `plan` is for a matrix or
- * over conditions, or of another context than the light. */
+ * over conditions, or of another context or local origin than the light. */
 murk_status murk_plan_update(murk_plan **out, murk_plan *plan,
                              murk_light *light, murk_error *error);
 

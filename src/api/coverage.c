@@ -87,6 +87,9 @@ murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
     }
     /* The types of the sensors must be there, and their places. */
     const murk_world *world = light->world;
+    if (!murk_worlds_share_origin(world, coverage->light->world)) {
+        return murk_call_refuse(error, MURK_OTHER_ORIGIN);
+    }
     const murk_box *domain = &world->stage->world.domain.box;
     for (size_t i = 0; i < coverage->n; ++i) {
         if (coverage->pose[i].type >= world->desc->sensors.types ||

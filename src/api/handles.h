@@ -146,6 +146,18 @@ struct murk_plan {
     murk_fields fields, saved;
 };
 
+/* True if positions count from the same local origin in both worlds. */
+static inline bool murk_worlds_share_origin(const murk_world *a,
+                                            const murk_world *b)
+{
+    const murk_vec3 p = a->desc->origin, q = b->desc->origin;
+    return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
+#define MURK_OTHER_ORIGIN                                                    \
+    "the scenes lie far from 0 and have other local origins: give both the " \
+    "same domain"
+
 /* murk_plan_make() for a step of a sequence. A request to finish does not end
  * the search with the best plan so far: the call fails with MURK_INTERRUPTED.
  * The plan takes over what is the same in `earlier`, a plan that was made by

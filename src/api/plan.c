@@ -206,6 +206,9 @@ murk_status murk_plan_update(murk_plan **out, murk_plan *plan,
         return murk_call_refuse(error,
                                 "plan and light are of different contexts");
     }
+    if (!murk_worlds_share_origin(plan->world, light->world)) {
+        return murk_call_refuse(error, MURK_OTHER_ORIGIN);
+    }
     const making update = {.light = light, .keeps = true, .earlier = plan};
     return plan_make(out, light->world, &update, error);
 }

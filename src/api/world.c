@@ -85,14 +85,15 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
  * number; the number of items if there is none. */
 static size_t item_of(const murk_scene_desc *scene, const char *text)
 {
-    char number[32];
+    char *end;
+    const unsigned long number = strtoul(text, &end, 10);
     size_t i = 0;
-    for (; i < scene->geometries; ++i) {
-        snprintf(number, sizeof number, "%zu", i);
-        if (strcmp(text, scene->geometry[i].name) == 0 ||
-            strcmp(text, number) == 0) {
-            break;
-        }
+    if (*text >= '0' && *text <= '9' && !*end) {
+        return number < scene->geometries ? number : scene->geometries;
+    }
+    while (i < scene->geometries &&
+           strcmp(text, scene->geometry[i].name) != 0) {
+        ++i;
     }
     return i;
 }
@@ -124,7 +125,7 @@ static murk_status set_vector(murk_scene *scene, const char *item,
     const size_t size = strlen(item) + 64;
     char *path = malloc(size);
     if (!path) {
-        return murk_call_refuse(error, "out of memory");
+        return murk_no_memory(error, item, "for its place");
     }
     for (int i = 0; i < 3; ++i) {
         murk_number_print(number[i], value[i]);
@@ -156,7 +157,7 @@ murk_status murk_world_move(murk_world **out, murk_world *world,
                                   world->desc->path, error);
     }
     if (!status && !murk_memory_copy(&scene->files, &world->files)) {
-        status = murk_call_refuse(error, "out of memory");
+        status = murk_no_memory(error, item, "for the moved world");
     }
     if (!status) {
         status = set_vector(scene, item, "translate_m", translate_m, error);

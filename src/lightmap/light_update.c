@@ -40,6 +40,7 @@ typedef struct updating {
     murk_record_buffers *buffers;
     uint32_t *photon; /* [n] those that are traced */
     size_t n;
+    uint64_t reused; /* photons of light that is on that are not traced */
     unsigned threads;
 } updating;
 
@@ -102,14 +103,14 @@ static bool starts_alike(const updating *u, const start_comparison *c,
            p.is_spent == q.is_spent;
 }
 
-/* Lists the photons that start otherwise or cross one of the cells. A photon of
- * light that is off crosses none. */
-static void list_photons(updating *u, uint64_t cells)
+/* Lists the photons that start otherwise or cross one of the cells, up to `max`
+ * of them and one more. A photon of light that is off crosses none. */
+static void list_photons(updating *u, uint64_t cells, size_t max)
 {
     const uint64_t *crossed = u->earlier->cells->crossed;
     const start_comparison c = compare_starts(u);
     u->n = 0;
-    for (uint64_t i = 0; i < u->earlier->emitted; ++i) {
+    for (uint64_t i = 0; i < u->earlier->emitted && u->n <= max; ++i) {
         if ((crossed[i] & cells) || (!c.are_all && !starts_alike(u, &c, i))) {
             u->photon[u->n++] = (uint32_t)i;
         }
@@ -144,12 +145,13 @@ static murk_status copy_sums(const updating *u, murk_error *err)
     return status;
 }
 
-/* Takes the listed photons out of the sums. */
-static void take_out(const updating *u)
+/* Takes the listed photons out of the sums; those that stay are reused. */
+static void take_out(updating *u)
 {
     murk_trace trace = trace_of(u, u->before);
     trace.takes_back = true;
     murk_trace_run(&trace, u->traced->ledger);
+    u->reused = (uint64_t)murk_tally_read(&u->traced->ledger->photons);
 }
 
 /* Traces the listed photons in the new world, in waves, and notes their paths.
@@ -238,6 +240,8 @@ static bool has_same_rules(const murk_stage *a, const murk_stage *b,
                            const murk_traced *earlier)
 {
     return murk_can_watch(b) && earlier->cells && earlier->stream == 0 &&
+           memcmp(&a->scene->origin, &b->scene->origin,
+                  sizeof a->scene->origin) == 0 &&
            strcmp(a->scene->rules_key, b->scene->rules_key) == 0 &&
            earlier->emitted == b->scene->photons.emit &&
            murk_sources_channels(a->lights) ==
@@ -248,26 +252,33 @@ static bool has_same_rules(const murk_stage *a, const murk_stage *b,
            murk_sources_lit(b->lights) > 0;
 }
 
-/* Prepares the new light, and lists the photons that are traced. */
+/* Prepares the new light, and lists the photons that are traced, as far as an
+ * update may pay. */
 static murk_status prepare(updating *u, uint64_t cells, murk_error *err)
 {
-    const murk_path_cells *before = u->earlier->cells;
+    const size_t max = (size_t)(LISTED_SHARE_MAX * (double)u->earlier->emitted);
     u->traced = murk_traced_create(u->stage, 0, err);
-    u->buffers = murk_record_buffers_create(&u->stage->scene->photons);
-    u->photon = malloc(u->earlier->emitted * sizeof *u->photon + 1);
-    if (!u->traced || !u->buffers || !u->photon) {
+    u->photon = malloc((max + 1) * sizeof *u->photon);
+    if (!u->traced || !u->photon) {
         return murk_no_memory(err, "", "to update the light");
     }
     u->traced->emitted = u->earlier->emitted;
-    murk_status status = murk_path_cells_create(&u->traced->cells, &before->box,
-                                                before->photons, err);
+    const murk_status status = murk_traced_set_powers(u->traced, u->stage, err);
+    if (!status) {
+        list_photons(u, cells, max);
+    }
+    return status;
+}
+
+/* Gives the new light the cells of the earlier one. */
+static murk_status copy_cells(const updating *u, murk_error *err)
+{
+    const murk_path_cells *before = u->earlier->cells;
+    const murk_status status = murk_path_cells_create(
+        &u->traced->cells, &before->box, before->photons, err);
     if (!status) {
         memcpy(u->traced->cells->crossed, before->crossed,
                before->photons * sizeof *before->crossed);
-        status = murk_traced_set_powers(u->traced, u->stage, err);
-    }
-    if (!status) {
-        list_photons(u, cells);
     }
     return status;
 }
@@ -276,9 +287,14 @@ static murk_status prepare(updating *u, uint64_t cells, murk_error *err)
 static murk_status update(updating *u, murk_error *err)
 {
     murk_traced *traced = u->traced;
-    murk_status status =
-        murk_tallies_of_stage(&traced->tallies, u->stage, u->threads,
-                              murk_machine_memory_bytes(), err);
+    u->buffers = murk_record_buffers_create(&u->stage->scene->photons);
+    murk_status status = u->buffers
+                             ? copy_cells(u, err)
+                             : murk_no_memory(err, "", "to update the light");
+    if (!status) {
+        status = murk_tallies_of_stage(&traced->tallies, u->stage, u->threads,
+                                       murk_machine_memory_bytes(), err);
+    }
     if (!status) {
         status = copy_sums(u, err);
     }
@@ -373,7 +389,7 @@ murk_status murk_lightmap_update(murk_traced **out, uint64_t *reused,
     }
     /* Hand over, or trace all. */
     if (can && !status) {
-        *reused = earlier->emitted - u.n;
+        *reused = u.reused;
         u.traced->trace_s = murk_clock_s() - begun_s - u.traced->map_s;
         *out = u.traced;
         u.traced = NULL;

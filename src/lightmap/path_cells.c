@@ -10,6 +10,10 @@
 /* Rounding of positions and lengths, relative to the coordinates. */
 #define ROUNDING 1e-9
 
+/* A segment that runs a smaller share of a slab across it may lie on a side of
+ * the slab, where rounding would decide to which of two slabs it belongs. */
+#define ALONG_SIDE 1e-6
+
 murk_status murk_path_cells_create(murk_path_cells **out, const murk_box *box,
                                    uint64_t photons, murk_error *err)
 {
@@ -93,13 +97,14 @@ static uint64_t cross(const murk_path_cells *cells, murk_vec3 from,
     if (x.first > x.last || y.first > y.last || z.first > z.last) {
         return 0;
     }
-    if (x.first == x.last) {
-        return block(cells, x, y, z);
-    }
-    /* The part of the segment in each slab of x. */
+    /* One slab of x; or several, for a segment almost along a side of them. */
     const double min = cells->box.min.x,
                  step = (cells->box.max.x - min) / cells->size[0];
     const murk_vec3 along = murk_sub(to, from);
+    if (x.first == x.last || fabs(along.x) < ALONG_SIDE * step) {
+        return block(cells, x, y, z);
+    }
+    /* The part of the segment in each slab of x. */
     for (int i = x.first; i <= x.last; ++i) {
         const double t0 = (min + i * step - from.x) / along.x,
                      t1 = (min + (i + 1) * step - from.x) / along.x;

@@ -1,6 +1,7 @@
 /* Compares two trees from the root down to the values of the leaves. Buffers
  * of equal grids may differ in bytes that hold no value, so they are not
- * compared as a whole. */
+ * compared as a whole. A walk sums up cell by cell, so a constant cell differs
+ * from a node whose cells all have its value. */
 #include "medium/changed_grid.h"
 
 #include "medium/leaf_table.h"
@@ -13,30 +14,19 @@
 static const int32_t EDGE[] = {MURK_ROOT_CELL, 128, MURK_LEAF_EDGE};
 #define LEAF_LEVEL 2
 
-/* The cell of a node of the level that contains the voxel; a constant cell
- * consists of constant cells. */
+/* The cell of a node of the level that contains the voxel. */
 static murk_cell part_of(const murk_cell *cell, int level,
                          const int32_t voxel[3])
 {
-    return !cell->child ? *cell
-           : level == 0 ? murk_upper_cell(cell->child, voxel)
-                        : murk_lower_cell(cell->child, voxel);
+    return level == 0 ? murk_upper_cell(cell->child, voxel)
+                      : murk_lower_cell(cell->child, voxel);
 }
 
-/* True if the values of two leaves, one of which may be constant, are equal. */
+/* True if the values of two leaves are equal. */
 static bool are_same_leaves(const murk_cell *a, const murk_cell *b)
 {
-    const float *p = a->child ? murk_leaf_values(a->child) : NULL,
-                *q = b->child ? murk_leaf_values(b->child) : NULL;
-    if (p && q) {
-        return memcmp(p, q, MURK_LEAF_VOXELS * sizeof *p) == 0;
-    }
-    const float *values = p ? p : q, other = p ? b->value : a->value;
-    bool are_same = true;
-    for (int i = 0; i < MURK_LEAF_VOXELS && are_same; ++i) {
-        are_same = values[i] == other;
-    }
-    return are_same;
+    return memcmp(murk_leaf_values(a->child), murk_leaf_values(b->child),
+                  MURK_LEAF_VOXELS * sizeof(float)) == 0;
 }
 
 static void add_cell(murk_box_list *changed, const int32_t first[3],
@@ -51,8 +41,8 @@ static void compare_cells(murk_box_list *changed, const murk_cell *a,
                           const murk_cell *b, int level, const int32_t first[3])
 {
     const int32_t edge = EDGE[level];
-    if (!a->child && !b->child) {
-        if (a->value != b->value) {
+    if (!a->child || !b->child) {
+        if (a->child || b->child || a->value != b->value) {
             add_cell(changed, first, edge);
         }
         return;
@@ -77,28 +67,19 @@ static void compare_cells(murk_box_list *changed, const murk_cell *a,
     }
 }
 
-/* The cell of the root that begins at a voxel. */
-static murk_cell root_cell(const murk_tree *tree, const int32_t first[3])
-{
-    const murk_root_cell *cell = murk_tree_root_cell(tree, first);
-    return cell ? (murk_cell){cell->node, cell->value}
-                : (murk_cell){NULL, tree->elsewhere};
-}
-
 void murk_changed_cells(murk_box_list *changed, const murk_tree *a,
                         const murk_tree *b)
 {
-    for (size_t i = 0; i < a->n_cells; ++i) {
-        const int32_t *first = a->cells[i].first;
-        const murk_cell p = root_cell(a, first), q = root_cell(b, first);
-        compare_cells(changed, &p, &q, 0, first);
+    /* Walks count the cells of the root. */
+    bool have_same_roots = a->n_cells == b->n_cells;
+    for (size_t i = 0; i < a->n_cells && have_same_roots; ++i) {
+        have_same_roots = memcmp(a->cells[i].first, b->cells[i].first,
+                                 sizeof a->cells[i].first) == 0;
     }
-    /* The cells that only the second tree has. */
-    for (size_t i = 0; i < b->n_cells; ++i) {
-        const int32_t *first = b->cells[i].first;
-        if (!murk_tree_root_cell(a, first)) {
-            const murk_cell p = root_cell(a, first), q = root_cell(b, first);
-            compare_cells(changed, &p, &q, 0, first);
-        }
+    changed->are_all = changed->are_all || !have_same_roots;
+    for (size_t i = 0; i < a->n_cells && have_same_roots; ++i) {
+        const murk_cell p = {a->cells[i].node, a->cells[i].value},
+                        q = {b->cells[i].node, b->cells[i].value};
+        compare_cells(changed, &p, &q, 0, a->cells[i].first);
     }
 }

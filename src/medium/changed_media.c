@@ -31,6 +31,7 @@ static changed_cells compare_grids(const murk_grid *a, const murk_grid *b)
                   !SAME(p, q, index_max) || !SAME(p, q, index_to_world);
     if (!out.are_all) {
         murk_changed_cells(&out.cells, murk_grid_tree(a), murk_grid_tree(b));
+        out.are_all = out.cells.are_all;
     }
     return out;
 }

@@ -240,6 +240,7 @@ static bool has_same_settings(const murk_scene_desc *a,
         at_least_of(a) != at_least_of(b) || p->targets.given ||
         q->targets.given ||
         memcmp(&a->north, &b->north, sizeof a->north) != 0 ||
+        memcmp(&a->origin, &b->origin, sizeof a->origin) != 0 ||
         a->sensors.types != b->sensors.types) {
         return false;
     }

@@ -259,7 +259,7 @@ static void keep_matrix(murk_plan_result *plan, murk_matrix *matrix,
                         uint64_t memory)
 {
     if (matrix && plan->keeps_matrix &&
-        murk_matrix_memory(matrix) <= memory / 2) {
+        murk_matrix_bytes(matrix) <= memory / 2) {
         plan->matrix = matrix;
         return;
     }

@@ -8,10 +8,11 @@
 #include <string.h>
 
 /* The boxes are enlarged by so many steps off a surface
- * (murk_surfaces_leave_step_m()): a ray begins one step off its surface,
- * rounding moves a ray by less than one, and a face that a ray passes at less
- * than one may count. */
-#define MARGIN_STEPS 4
+ * (murk_surfaces_leave_step_m()): a hit in a corner is drawn back by up to
+ * eight steps from a neighbouring face (geometry/hit.c), a ray begins one step
+ * off its surface, rounding moves it by less than one, and a face that it
+ * passes at less than one may count. */
+#define MARGIN_STEPS 12
 
 murk_status murk_changed_world(murk_box_list *changed, const murk_stage *a,
                                const murk_stage *b, murk_world_use what,
@@ -22,6 +23,9 @@ murk_status murk_changed_world(murk_box_list *changed, const murk_stage *a,
         .are_all = p->is_periodic || q->is_periodic ||
                    memcmp(&p->box, &q->box, sizeof p->box) != 0 ||
                    a->boundary_meshes || b->boundary_meshes};
+    if (changed->are_all) {
+        return MURK_OK;
+    }
     murk_changed_media(changed, a->media, b->media, what != MURK_USE_SIGHT);
     const murk_status status = murk_changed_surfaces(
         changed, a->surfaces, b->surfaces, what == MURK_USE_LIGHT, err);

@@ -173,6 +173,54 @@ def goes_on(folder, scene, whole):
     check(without_seconds(out, "follow.csv") != without_seconds(whole, "follow.csv"), "another seed, the same table")
 
 
+def what_stays(folder):
+    """A lamp goes out and a box moves near the middle of the room, under a beam in a side of the cells of paths, while
+    other photons stay: columns, ledgers and a run that goes on after a stop."""
+    scene = os.path.join(folder, "stays.yaml")
+    with open(scene, "w") as file:
+        file.write("""murk: 1
+domain: {min_m: [0, 0, 0], max_m: [16, 16, 16]}
+timeline:
+  times_s: [0, 1, 2, 3, 4, 5]
+  tracks:
+    - {geometry: load, keyframes: [{t_s: 0, translate_m: [3, 3, 5.5]}, {t_s: 3, translate_m: [3.6, 3.3, 5.5]},
+                                   {t_s: 5, translate_m: [8.3, 8.4, 5.5]}]}
+    - {key: lights.1.power_w, between: hold, keyframes: [{t_s: 0, value: 5}, {t_s: 1, value: 0}, {t_s: 4, value: 5}]}
+geometry:
+  - {rect: {corner_m: [0.1, 0.1, 0.2], edge1_m: [15.8, 0, 0], edge2_m: [0, 15.8, 0]}}
+  - {name: load, box: {min_m: [-1, -1, -0.2], max_m: [1, 1, 0.2]}, translate_m: [3, 3, 5.5]}
+lights:
+  - {type: beam, origin_m: [8, 8, 15], direction: [0, 0, -1], radius_m: 0, divergence_deg: 0, power_w: 20}
+  - {type: point, position_m: [12, 4, 12], power_w: 5}
+photons: {emit: 2000}
+sensors:
+  types: [{name: node, range_m: 20}]
+  candidates: {grid: {min_m: [1, 1, 1], max_m: [15, 15, 15], size: [4, 4, 3]}}
+  count: 2
+placement: {weights: {surface: 1, volume: 1}, method: greedy}
+""")
+    whole = os.path.join(folder, "stays")
+    run("follow", scene, "-o", whole)
+    rows = table(whole, "follow.csv")
+    for k, row in enumerate(rows):
+        step, light = os.path.join(whole, f"steps/{k:04}"), os.path.join(folder, "light")
+        run("trace", scene, "--at", row["t_s"], "-o", light, "--force")
+        ours, fresh = (json.loads(bytes_of(of, "ledger.json")) for of in (step, light))
+        for key in ("photons_emitted", "absorbed_by_material_w", "escaped_w", "collisions"):
+            check(ours[key] == fresh[key], "ledger of step", k, key, ours[key], fresh[key])
+        check(int(row["photons_traced"]) + int(row["photons_kept"]) == ours["photons_emitted"], "photons of step", k, row)
+    check(sum(int(row["photons_kept"]) for row in rows) > 2000, "photons_kept", rows)
+    for memory in ((), ("--set", "placement.memory_mb=0.02"), ("--set", "placement.knowledge=unknown")):
+        out = os.path.join(folder, "stays-again")
+        run("follow", scene, "-o", out, *memory)
+        rows = without_seconds(out, "follow.csv")
+        for missing in (2, 4):
+            shutil.rmtree(os.path.join(out, f"steps/{missing:04}"))
+        run("follow", scene, "-o", out, *memory)
+        check(without_seconds(out, "follow.csv") == rows, "follow.csv after a stop with", memory)
+        shutil.rmtree(out)
+
+
 def real_scenes(folder):
     """The scenes of the tree with a timeline: steps equal the plans of their times."""
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scenes")
@@ -270,4 +318,5 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     a_start_of_ones_own(top, path, made)
     prints_without_a_folder(path, made)
     viewers(top, path)
+    what_stays(top)
 sys.exit(1 if failures else 0)
