@@ -80,7 +80,7 @@ static void test_sides(murk_path_cells *cells)
     }
 }
 
-static void test_boxes(const murk_path_cells *cells)
+static void test_changed_places(const murk_path_cells *cells)
 {
     const murk_box domain = {{-1, -1, -1}, {17, 17, 17}};
     murk_box_list list = {0};
@@ -106,7 +106,7 @@ int main(void)
     CHECK(cells->size[0] * cells->size[1] * cells->size[2] == MURK_PATH_CELLS);
     test_random_segments(cells);
     test_sides(cells);
-    test_boxes(cells);
+    test_changed_places(cells);
     murk_path_cells_destroy(cells);
     return check_done();
 }

@@ -41,6 +41,7 @@ static murk_grid *make_grid(change what, int which)
     murk_grid *grid = NULL;
     murk_error err = {0};
     CHECK(value);
+    /* Values that differ everywhere, but for the leaf or the tile. */
     for (int axis = 0; axis < 3; ++axis) {
         place.matrix[axis][axis] = 2 / (double)edge;
     }
