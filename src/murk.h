@@ -187,7 +187,8 @@ typedef enum murk_imports {
                           * limits on memory and time, that can only read; the
                           * program murk-rows, started for each group of rows */
     MURK_IMPORTS_FORK, /* forks of the process, likewise: needs no program, but
-                        * is safe only while the process has one thread */
+                        * is safe only while the process has one thread and no
+                        * world, so not with murk_follow_next() */
     MURK_IMPORTS_IN_PROCESS /* the process itself, without limits: for files
                              * that are trusted; a malformed file may end the
                              * process, and so does a row that crashes or takes

@@ -104,6 +104,8 @@ typedef struct murk_command {
     murk_command_input input;
     bool has_ranks;      /* ranks (base/ranks.h) run it together */
     bool ends_in_first;  /* of these rank 0 alone needs the results */
+    bool holds_worlds;   /* reads files while another world, with the threads of
+                          * its ray device, is there */
     bool is_text_alone;  /* prints one text: no scene, no JSON of results */
     const char *formats; /* man pages of section 5, with spaces between */
     murk_note_pair example[MURK_NOTES_EXAMPLES + 1];

@@ -104,7 +104,8 @@ static murk_status run_on_ranks(murk_options *options, murk_error *err)
 
 static murk_status run(murk_options *options, murk_error *err)
 {
-    options->has_threads = murk_ranks_threads() > 0; /* those of MPI */
+    options->has_threads = murk_ranks_threads() > 0 || /* those of MPI */
+                           (options->command && options->command->holds_worlds);
     if (options->wants_version) {
         return print_version(err);
     }

@@ -17,6 +17,7 @@
 #include "plan/earlier.h"
 #include "stage_text.h"
 
+#include "base/host.h"
 #include "base/rng.h"
 
 #include <stdlib.h>
@@ -497,6 +498,9 @@ static void run_sequence(uint32_t sequence)
 int main(int argc, char **argv)
 {
     const long sequences = argc > 1 ? atol(argv[1]) : 50;
+    /* Stages are made while others, with the threads of their ray devices, are
+     * there: a fork could wait for a lock that one of them holds. */
+    murk_host_now()->importing = MURK_IMPORT_IN_PROCESS;
     CHECK(mkdtemp(folder));
     snprintf(scene_text, sizeof scene_text, scene_form, folder);
     write_frames();

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#define OVERRIDES_MAX 16
+#define OVERRIDES_MAX 64
 
 murk_scene_desc *scene_text_create(const char *yaml,
                                    const char *const *overrides)
@@ -23,6 +23,10 @@ murk_scene_desc *scene_text_create(const char *yaml,
     while (overrides && overrides[n] && n < OVERRIDES_MAX) {
         list[n] = (murk_override){.text = overrides[n]};
         ++n;
+    }
+    if (overrides && overrides[n]) {
+        printf("more than %d overrides\n", OVERRIDES_MAX);
+        return NULL;
     }
     const int fd = mkstemp(path);
     if (fd < 0 || write(fd, yaml, strlen(yaml)) < 0) {
