@@ -20,6 +20,7 @@ murk_scene_desc *scene_text_create(const char *yaml,
     murk_scene_desc *scene = NULL;
     murk_override list[OVERRIDES_MAX];
     size_t n = 0;
+    /* The overrides, then the text by a file. */
     while (overrides && overrides[n] && n < OVERRIDES_MAX) {
         list[n] = (murk_override){.text = overrides[n]};
         ++n;
