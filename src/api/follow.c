@@ -588,10 +588,11 @@ static void warn_of_earlier(const murk_follow *follow, const step_work *step)
     free(path);
 }
 
-/* Remembers the plan of a step for the next one. */
+/* Remembers the plan of a step for the next one, which takes over what is the
+ * same. A dark step leaves the plan before it. */
 static void remember(murk_follow *follow, murk_plan *plan)
 {
-    if (plan && plan->plan.matrix) {
+    if (plan && !plan->plan.is_dark) {
         murk_plan_destroy(follow->before);
         follow->before = plan;
         return;
@@ -618,9 +619,11 @@ static bool read_watched(const murk_follow *follow, size_t step, murk_box *out)
 }
 
 /* After steps of an earlier run: makes the plan of the last of them once more,
- * so that the next step takes over what it would have taken over without the
- * stop. Without a plan nothing is taken over. */
-static void recall_before(murk_follow *follow)
+ * without saving it, so that the next step takes over, and counts, what it
+ * would have taken over without the stop. The results of the step do not depend
+ * on it, so without such a plan nothing is taken over. Fails if the call is
+ * cancelled or memory is short. */
+static murk_status recall_before(murk_follow *follow, murk_error *err)
 {
     const size_t number = follow->last_reused - 1;
     const double t_s =
@@ -632,17 +635,17 @@ static void recall_before(murk_follow *follow)
     murk_plan *plan = NULL;
     murk_box watched;
     follow->last_reused = 0;
-    /* The same scene and start; what fails here only costs time. */
+    /* The same scene, start and cells. */
     const char *given = start && stat(start, &found) == 0 ? start : NULL;
-    murk_status status =
-        start ? scene_at(&scene, follow, t_s, given, NULL) : MURK_NO_MEMORY;
+    murk_status status = start ? scene_at(&scene, follow, t_s, given, err)
+                               : murk_no_memory(err, "", "for the step before");
     if (!status) {
-        status = murk_world_create(&world, scene, NULL);
+        status = murk_world_create(&world, scene, err);
     }
     if (!status) {
         const bool is_known = read_watched(follow, number, &watched);
         status = murk_plan_make_step(&plan, world, NULL,
-                                     is_known ? &watched : NULL, NULL);
+                                     is_known ? &watched : NULL, err);
     }
     if (!status) {
         remember(follow, plan);
@@ -650,6 +653,8 @@ static void recall_before(murk_follow *follow)
     murk_world_destroy(world);
     murk_scene_destroy(scene);
     free(start);
+    return status == MURK_INTERRUPTED || status == MURK_NO_MEMORY ? status
+                                                                  : MURK_OK;
 }
 
 /* Makes the plan of a step, or takes that of an earlier run. A failure that is
@@ -667,9 +672,8 @@ static murk_status make_step(murk_follow *follow, step_work *step,
             step->is_dark ? follow->last_reused : step->number + 1;
         return MURK_OK;
     }
-    if (!status && follow->last_reused > 0 &&
-        step->world->desc->placement.knowledge == MURK_SCENE_KNOWN) {
-        recall_before(follow);
+    if (!status && follow->last_reused > 0) {
+        status = recall_before(follow, &why);
     }
     if (!status) {
         status =
