@@ -665,7 +665,9 @@ static murk_status make_step(murk_follow *follow, step_work *step,
     murk_plan *plan = NULL;
     murk_error why = {.size = sizeof why};
     /* What an earlier run has made is not made again. */
-    murk_status status = murk_world_create(&step->world, scene, &why);
+    murk_status status = murk_world_create_after(
+        &step->world, scene, follow->before ? follow->before->world : NULL,
+        &why);
     if (!status && take_earlier(follow, step)) {
         ++follow->reused;
         follow->last_reused =

@@ -271,6 +271,12 @@ void murk_world_release(murk_world *world);
  * because the files of all conditions are imported before any world is built.
  */
 murk_status murk_world_build(murk_world *world, murk_error *err);
+
+/* murk_world_create(), with the meshes and grids of the world `earlier`, NULL:
+ * none, whose files are the same (murk_stage_create_after()). */
+murk_status murk_world_create_after(murk_world **out, murk_scene *scene,
+                                    const murk_world *earlier,
+                                    murk_error *error);
 void murk_light_release(murk_light *light);
 
 /* Makes the fields of the object `of` by the table `list` (results/fields.h),

@@ -12,22 +12,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-murk_status murk_world_build(murk_world *world, murk_error *err)
+/* murk_world_build(), with the files that the stage `earlier` has, NULL: none.
+ */
+static murk_status build_after(murk_world *world, const murk_stage *earlier,
+                               murk_error *err)
 {
     if (world->stage) {
         return MURK_OK;
     }
     murk_progress_begin_group("build", 0, "");
     const murk_status status =
-        murk_stage_create(&world->stage, world->desc, err);
+        murk_stage_create_after(&world->stage, world->desc, earlier, err);
     murk_progress_end();
     world->load_s = murk_clock_s() - world->begun_s;
     return status;
 }
 
+murk_status murk_world_build(murk_world *world, murk_error *err)
+{
+    return build_after(world, NULL, err);
+}
+
 /* Reads the scene, passes the notes and warnings of murk_scene_tell() to the
  * log, and builds the world unless there are conditions to place over. */
-static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
+static murk_status build(murk_world *world, murk_scene *scene,
+                         const murk_stage *earlier, murk_error *err)
 {
     if (!murk_memory_copy(&world->files, &scene->files)) {
         return murk_no_memory(err, scene->name, "for the world");
@@ -42,19 +51,15 @@ static murk_status build(murk_world *world, murk_scene *scene, murk_error *err)
     }
     murk_scene_tell(world->desc);
     return world->desc->placement.over == MURK_SCENE_OBJECTIVE_NONE
-               ? murk_world_build(world, err)
+               ? build_after(world, earlier, err)
                : MURK_OK;
 }
 
-murk_status murk_world_create(murk_world **out, murk_scene *scene,
-                              murk_error *error)
+murk_status murk_world_create_after(murk_world **out, murk_scene *scene,
+                                    const murk_world *earlier,
+                                    murk_error *error)
 {
-    if (out) {
-        *out = NULL;
-    }
-    if (!out || !scene) {
-        return murk_call_refuse(error, "out or scene is NULL");
-    }
+    *out = NULL;
     /* Build; a world that fails is released. */
     murk_call call = murk_call_begin(scene->context, &scene->files, error);
     murk_world *world = calloc(1, sizeof *world);
@@ -63,7 +68,8 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
         world->references = 1;
         world->context = scene->context;
         ++world->context->references;
-        status = build(world, scene, &call.failure);
+        status =
+            build(world, scene, earlier ? earlier->stage : NULL, &call.failure);
     }
     if (murk_ranks_count() > 1) {
         const char *key = status ? "" : world->desc->whole_key;
@@ -79,6 +85,16 @@ murk_status murk_world_create(murk_world **out, murk_scene *scene,
                              world->desc);
     *out = world;
     return MURK_OK;
+}
+
+murk_status murk_world_create(murk_world **out, murk_scene *scene,
+                              murk_error *error)
+{
+    if (out) {
+        *out = NULL;
+    }
+    return out && scene ? murk_world_create_after(out, scene, NULL, error)
+                        : murk_call_refuse(error, "out or scene is NULL");
 }
 
 /* The number of an item of the geometry that a text names by its name or
@@ -166,7 +182,7 @@ murk_status murk_world_move(murk_world **out, murk_world *world,
         status = set_vector(scene, item, "rotate_deg", rotate_deg, error);
     }
     if (!status) {
-        status = murk_world_create(out, scene, error);
+        status = murk_world_create_after(out, scene, world, error);
     }
     murk_scene_destroy(scene);
     return status;

@@ -83,7 +83,7 @@ void murk_sweep_light_release(murk_sweep_light *l)
     }
     murk_row_tallies_release(&l->row_tallies);
     murk_sources_destroy(l->lights);
-    for (size_t k = l->n; k-- > 0;) { /* later rows borrow from earlier ones */
+    for (size_t k = 0; k < l->n; ++k) {
         murk_stage_destroy(l->stage ? l->stage[k] : NULL);
         murk_scene_desc_destroy(l->scene ? l->scene[k] : NULL);
         free(l->power_w ? l->power_w[k] : NULL);

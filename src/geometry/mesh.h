@@ -29,6 +29,7 @@ typedef struct murk_mesh {
     size_t degenerate; /* number of triangles without area; they are removed */
     murk_box bounds_m; /* of the corners of all triangles, with origin_m
                         * added */
+    unsigned further_owners; /* murk_mesh_share() */
 } murk_mesh;
 
 typedef struct murk_mesh_import {
@@ -56,6 +57,11 @@ typedef struct murk_mesh_import {
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);
-void murk_mesh_destroy(murk_mesh *mesh); /* NULL is fine */
+/* Releases the mesh, and destroys it if no owner is left; NULL is fine. */
+void murk_mesh_destroy(murk_mesh *mesh);
+
+/* Adds an owner, who also calls murk_mesh_destroy(), and returns the mesh; NULL
+ * is fine. Not for owners that several threads release at once. */
+murk_mesh *murk_mesh_share(murk_mesh *mesh);
 
 #endif

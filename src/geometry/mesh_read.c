@@ -279,9 +279,19 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
     return MURK_OK;
 }
 
-void murk_mesh_destroy(murk_mesh *mesh)
+murk_mesh *murk_mesh_share(murk_mesh *mesh)
 {
     if (mesh) {
+        ++mesh->further_owners;
+    }
+    return mesh;
+}
+
+void murk_mesh_destroy(murk_mesh *mesh)
+{
+    if (mesh && mesh->further_owners > 0) {
+        --mesh->further_owners;
+    } else if (mesh) {
         free(mesh->vertex_m);
         free(mesh->corner);
         free(mesh->material);

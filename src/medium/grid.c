@@ -41,6 +41,7 @@ struct murk_grid {
     murk_grid_facts facts;
     unsigned char *buffer; /* the NanoVDB grid; NULL if no voxel is active */
     murk_tree tree;
+    unsigned further_owners; /* murk_grid_share() */
 };
 
 /* The request to the subprocess: a file, or dense samples. */
@@ -460,9 +461,19 @@ murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],
     return murk_grid_make(out, size, density, index_to_world, true, where, err);
 }
 
-void murk_grid_destroy(murk_grid *grid)
+murk_grid *murk_grid_share(murk_grid *grid)
 {
     if (grid) {
+        ++grid->further_owners;
+    }
+    return grid;
+}
+
+void murk_grid_destroy(murk_grid *grid)
+{
+    if (grid && grid->further_owners > 0) {
+        --grid->further_owners;
+    } else if (grid) {
         murk_tree_close(&grid->tree);
         free(grid->buffer);
         free(grid);

@@ -86,7 +86,12 @@ murk_status murk_grid_from_samples(murk_grid **out, const size_t size[3],
                                    const float *density,
                                    const murk_affine *index_to_world,
                                    const char *where, murk_error *err);
-void murk_grid_destroy(murk_grid *grid); /* NULL is fine */
+/* Releases the grid, and destroys it if no owner is left; NULL is fine. */
+void murk_grid_destroy(murk_grid *grid);
+
+/* Adds an owner, who also calls murk_grid_destroy(), and returns the grid; NULL
+ * is fine. Not for owners that several threads release at once. */
+murk_grid *murk_grid_share(murk_grid *grid);
 
 const murk_grid_facts *murk_grid_describe(const murk_grid *grid);
 

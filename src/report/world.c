@@ -69,7 +69,8 @@ void murk_report_build(murk_report_scene *s)
     for (size_t i = 0; i < s->states && !status; ++i) {
         of[i] = other_media(s, i);
         if (of[i]) {
-            status = murk_fillings_create(&s->state[i].fillings, of[i], &why);
+            status = murk_fillings_create(&s->state[i].fillings, of[i], NULL,
+                                          NULL, &why);
         }
     }
     if (!status) {

@@ -1,7 +1,7 @@
 /* Imports the grids of density and albedo of a scene's media by medium/grid.h,
- * which reads files in subprocesses, and borrows the profiles of the media from
- * the scene. murk_fillings_files() reports a missing frame of a sequence with
- * the list of frames that exist. */
+ * which reads files in subprocesses, or shares them with another scene, and
+ * borrows the profiles of the media from the scene. murk_fillings_files()
+ * reports a missing frame of a sequence with the list of frames that exist. */
 #include "world/fillings.h"
 
 #include "scene/frames.h"
@@ -67,13 +67,11 @@ murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
     return m->vdb ? find_frames(m, err) : MURK_OK;
 }
 
-/* Reads the grids of medium i and borrows the profile from the scene. */
-static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
-                        murk_error *err)
+/* Reads the grids of medium i. */
+static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
+                              size_t i, murk_error *err)
 {
     murk_status status = MURK_OK;
-    f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
-                                   m->profile_per_m.value};
     if (m->vdb_next) {
         const char *const frames[] = {m->vdb, m->vdb_next};
         status = murk_grid_read_between(&f->grid[i], frames, m->next_weight,
@@ -88,8 +86,26 @@ static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
     return status;
 }
 
+/* Reads or shares the grids of medium i, and borrows the profile from the
+ * scene. */
+static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
+                        const murk_fillings *other, size_t from,
+                        murk_error *err)
+{
+    f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
+                                   m->profile_per_m.value};
+    if (from == MURK_NOT_SHARED) {
+        return read_grids(f, m, i, err);
+    }
+    f->grid[i] = murk_grid_share(other->grid[from]);
+    f->albedo[i] = murk_grid_share(other->albedo[from]);
+    return MURK_OK;
+}
+
 murk_status murk_fillings_create(murk_fillings **out,
-                                 const murk_scene_desc *scene, murk_error *err)
+                                 const murk_scene_desc *scene,
+                                 const murk_fillings *other, const size_t *from,
+                                 murk_error *err)
 {
     murk_fillings *f = calloc(1, sizeof *f);
     bool has_memory = f != NULL;
@@ -106,7 +122,8 @@ murk_status murk_fillings_create(murk_fillings **out,
             : murk_no_memory(err, scene->path, "for what fills its media");
     /* Read the files of each medium. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
-        status = fill(f, &scene->media[i], i, err);
+        status = fill(f, &scene->media[i], i, other,
+                      from ? from[i] : MURK_NOT_SHARED, err);
     }
     if (status) {
         murk_fillings_destroy(f);

@@ -30,11 +30,15 @@ murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
 
 /* Imports all grids of the scene by murk_grid_read(),
  * murk_grid_read_between() and murk_grid_read_albedo() (medium/grid.h), each
- * grid in a subprocess of its own. Fails as these three functions, or with
- * MURK_NO_MEMORY. The caller owns *out (murk_fillings_destroy()); the scene
- * must outlive *out. */
+ * grid in a subprocess of its own. With `from` not NULL the grids of medium i
+ * are shared with medium from[i] of `other` instead, unless from[i] is
+ * MURK_NOT_SHARED. Fails as the three functions, or with MURK_NO_MEMORY. The
+ * caller owns *out (murk_fillings_destroy()); the scene must outlive *out. */
+#define MURK_NOT_SHARED SIZE_MAX
 murk_status murk_fillings_create(murk_fillings **out,
-                                 const murk_scene_desc *scene, murk_error *err);
+                                 const murk_scene_desc *scene,
+                                 const murk_fillings *other, const size_t *from,
+                                 murk_error *err);
 void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */
 
 /* Sets the grid and the albedo grid of *medium to those of the i-th medium of

@@ -40,8 +40,11 @@ typedef struct murk_stage {
                       * functions are appended by murk_stage_build()); with
                       * equal keys, seeds and numbers of photons, stages that
                       * are built trace equal light */
-    bool borrows;    /* the meshes of geometry and regions, and the fillings,
-                      * belong to another stage */
+    uint64_t (*mesh_sum)[2];    /* checksums of the files of the meshes, in the
+                                 * order of `mesh`; 0 for those that the light
+                                 * does not depend on, and without a file */
+    uint64_t (*filling_sum)[2]; /* [scene->n_media * MURK_FILLING_FILES] those
+                                 * of the files of the media */
 } murk_stage;
 
 /* murk_trace_defaults() with the world of the stage and with those settings

@@ -42,15 +42,15 @@ static murk_status append_sum(murk_stage *stage, const uint64_t sum[2],
     return MURK_OK;
 }
 
-/* Appends the checksum of a file to the light key. The key already contains the
- * name of the file without the folder, so a scene that is moved together with
- * its files keeps its key. Fails at `where` as murk_file_checksum() does, also
- * for a file larger than MURK_SUM_BYTES_MAX (world/file_sums.h), or with
- * MURK_NO_MEMORY. */
-static murk_status add_checksum(murk_stage *stage, const char *path,
-                                const char *where, murk_error *err)
+/* Computes the checksum of a file and appends it to the light key. The key
+ * already contains the name of the file without the folder, so a scene that is
+ * moved together with its files keeps its key. Fails at `where` as
+ * murk_file_checksum() does, also for a file larger than MURK_SUM_BYTES_MAX
+ * (world/file_sums.h), or with MURK_NO_MEMORY. */
+static murk_status add_checksum(murk_stage *stage, uint64_t sum[2],
+                                const char *path, const char *where,
+                                murk_error *err)
 {
-    uint64_t sum[2];
     murk_error cause = {0};
     const murk_status status =
         murk_file_checksum(path, MURK_SUM_BYTES_MAX, sum, &cause);
@@ -102,21 +102,48 @@ static size_t lit_meshes(const murk_scene_desc *scene)
     return scene->geometries + scene->n_regions;
 }
 
+static bool is_same_text(const char *a, const char *b)
+{
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+/* The mesh of `earlier`, NULL: none, that was imported from a file with this
+ * checksum in the same way, as a further owner. NULL if there is none. */
+static murk_mesh *share_mesh(const murk_stage *earlier,
+                             const murk_mesh_file *file, const uint64_t sum[2])
+{
+    for (size_t i = 0; earlier && i < lit_meshes(earlier->scene); ++i) {
+        const murk_mesh_file f = murk_mesh_file_at(earlier->scene, i);
+        if (f.path && memcmp(earlier->mesh_sum[i], sum, 2 * sizeof *sum) == 0 &&
+            f.import.unit_m == file->import.unit_m &&
+            f.import.up == file->import.up &&
+            is_same_text(f.import.allow, file->import.allow)) {
+            return murk_mesh_share(earlier->mesh[i]);
+        }
+    }
+    return NULL;
+}
+
 /* Imports the mesh files of the items [first, last) of the list of
- * world/mesh_files.h. For files that the light depends on, the checksum is
- * appended to the light key, and the step of single precision is checked. */
-static murk_status import_meshes(murk_stage *stage, size_t first, size_t last,
-                                 murk_error *err)
+ * world/mesh_files.h, or shares them with `earlier`. For files that the light
+ * depends on, the checksum is appended to the light key, and the step of single
+ * precision is checked. */
+static murk_status import_meshes(murk_stage *stage, const murk_stage *earlier,
+                                 size_t first, size_t last, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
     murk_status status = MURK_OK;
     for (size_t i = first; i < last && !status; ++i) {
         const murk_mesh_file f = murk_mesh_file_at(scene, i);
         const bool is_lit = i < lit_meshes(scene);
+        uint64_t *sum = stage->mesh_sum[i];
         if (f.path && is_lit) {
-            status = add_checksum(stage, f.path, f.where, err);
+            status = add_checksum(stage, sum, f.path, f.where, err);
         }
-        if (f.path && !status) {
+        if (f.path && is_lit && !status) {
+            stage->mesh[i] = share_mesh(earlier, &f, sum);
+        }
+        if (f.path && !stage->mesh[i] && !status) {
             status = murk_mesh_read(&stage->mesh[i], f.path, &f.import, f.where,
                                     err);
         }
@@ -127,46 +154,106 @@ static murk_status import_meshes(murk_stage *stage, size_t first, size_t last,
     return status;
 }
 
-/* Imports the meshes and grids that the light depends on and appends the
- * checksums of their files to the light key. make_phases() appends the
- * checksums of tables of phase functions. */
-static murk_status import_world(murk_stage *stage, murk_error *err)
+/* True if the grids of two media are made in the same way of files that are the
+ * same if all checksums are. */
+static bool has_same_grids(const murk_scene_medium *m,
+                           const murk_scene_medium *of)
+{
+    return !m->vdb == !of->vdb && !m->vdb_next == !of->vdb_next &&
+           !m->albedo_grid == !of->albedo_grid &&
+           is_same_text(m->grid, of->grid) &&
+           is_same_text(m->albedo_grid, of->albedo_grid) &&
+           (!m->vdb_next || m->next_weight == of->next_weight) &&
+           is_same_text(m->albedo_vdb, m->vdb) ==
+               is_same_text(of->albedo_vdb, of->vdb);
+}
+
+/* The number of the medium of `earlier`, NULL: none, whose grids are those of
+ * medium i; MURK_NOT_SHARED if there is none. */
+static size_t find_filling(const murk_stage *stage, const murk_stage *earlier,
+                           size_t i)
+{
+    const size_t files = MURK_FILLING_FILES;
+    for (size_t k = 0; earlier && k < earlier->scene->n_media; ++k) {
+        if (has_same_grids(&stage->scene->media[i],
+                           &earlier->scene->media[k]) &&
+            memcmp(stage->filling_sum[files * i],
+                   earlier->filling_sum[files * k],
+                   files * sizeof *stage->filling_sum) == 0) {
+            return k;
+        }
+    }
+    return MURK_NOT_SHARED;
+}
+
+/* Imports the meshes and grids that the light depends on, or shares them with
+ * `earlier`, and appends the checksums of their files to the light key.
+ * make_phases() appends the checksums of tables of phase functions. */
+static murk_status import_world(murk_stage *stage, const murk_stage *earlier,
+                                murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    murk_status status = import_meshes(stage, 0, lit_meshes(scene), err);
+    size_t *from = calloc(scene->n_media + 1, sizeof *from);
+    murk_status status =
+        from ? import_meshes(stage, earlier, 0, lit_meshes(scene), err)
+             : murk_no_memory(err, scene->path, "for the world");
     /* Files of media: checksums first, then the grids themselves. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
         const char *file[MURK_FILLING_FILES] = {NULL};
         const char *where = scene->media[i].where;
         status = murk_fillings_files(scene, i, file, err);
-        for (int k = 0; k < MURK_FILLING_FILES && !status; ++k) {
+        for (size_t k = 0; k < MURK_FILLING_FILES && !status; ++k) {
             status =
-                file[k] ? add_checksum(stage, file[k], where, err) : MURK_OK;
+                file[k]
+                    ? add_checksum(
+                          stage, stage->filling_sum[MURK_FILLING_FILES * i + k],
+                          file[k], where, err)
+                    : MURK_OK;
         }
+        from[i] = find_filling(stage, earlier, i);
     }
-    return status ? status : murk_fillings_create(&stage->fillings, scene, err);
+    if (!status) {
+        status =
+            murk_fillings_create(&stage->fillings, scene,
+                                 earlier ? earlier->fillings : NULL, from, err);
+    }
+    free(from);
+    return status;
 }
 
-/* Borrows the meshes of geometry and regions and the fillings of the stage
- * `other`, and copies the checksums of these files from its light key. `other`
- * must not be built yet, because building appends the checksums of tables of
- * phase functions. */
-static murk_status borrow_world(murk_stage *stage, const murk_stage *other,
-                                murk_error *err)
+/* Shares the meshes of geometry and regions and the grids of the stage `other`,
+ * whose scene has the same world_key and the same files. */
+static murk_status share_world(murk_stage *stage, const murk_stage *other,
+                               murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
-    const char *sums = other->light_key + strlen(other->scene->light_key);
-    const size_t size = strlen(stage->light_key) + strlen(sums) + 1;
-    char *key = realloc(stage->light_key, size);
-    if (!key) {
-        return murk_no_memory(err, scene->path, "for the world");
+    const size_t files = MURK_FILLING_FILES * scene->n_media;
+    size_t *from = calloc(scene->n_media + 1, sizeof *from);
+    murk_status status =
+        from ? MURK_OK : murk_no_memory(err, scene->path, "for the world");
+    /* Checksums in the order of import_world(), of files alone. */
+    for (size_t i = 0; i < lit_meshes(scene) && !status; ++i) {
+        const murk_mesh_file f = murk_mesh_file_at(scene, i);
+        stage->mesh[i] = murk_mesh_share(other->mesh[i]);
+        memcpy(stage->mesh_sum[i], other->mesh_sum[i], sizeof *other->mesh_sum);
+        status = f.path ? append_sum(stage, stage->mesh_sum[i], f.where, err)
+                        : MURK_OK;
     }
-    strcat(key, sums);
-    stage->light_key = key;
-    stage->borrows = true;
-    stage->fillings = other->fillings;
-    memcpy(stage->mesh, other->mesh, lit_meshes(scene) * sizeof *stage->mesh);
-    return MURK_OK;
+    for (size_t i = 0; i < files && !status; ++i) {
+        const uint64_t *sum = other->filling_sum[i];
+        memcpy(stage->filling_sum[i], sum, sizeof *other->filling_sum);
+        status = sum[0] | sum[1] ? append_sum(stage, sum, scene->path, err)
+                                 : MURK_OK;
+    }
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        from[i] = i;
+    }
+    if (!status) {
+        status = murk_fillings_create(&stage->fillings, scene, other->fillings,
+                                      from, err);
+    }
+    free(from);
+    return status;
 }
 
 /* Builds the phase functions; checksums of tables in files are appended to the
@@ -178,8 +265,9 @@ static murk_status make_phases(murk_stage *stage, murk_error *err)
     for (size_t i = 0; i < scene->n_media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
         for (size_t k = 0; k < m->n_phases && !status; ++k) {
+            uint64_t sum[2];
             if (m->phase[k].table) {
-                status = add_checksum(stage, m->phase[k].table,
+                status = add_checksum(stage, sum, m->phase[k].table,
                                       m->phase[k].where, err);
             }
         }
@@ -300,9 +388,11 @@ static murk_status build_lights(murk_stage *stage, murk_error *err)
     return status ? status : deal_over_time(stage, err);
 }
 
-murk_status murk_stage_import_beside(murk_stage **out,
-                                     const murk_scene_desc *scene,
-                                     const murk_stage *other, murk_error *err)
+/* Imports the files of a scene, or shares them with the stage `other`:
+ * has_same_files: without a look at the files. */
+static murk_status import(murk_stage **out, const murk_scene_desc *scene,
+                          const murk_stage *other, bool has_same_files,
+                          murk_error *err)
 {
     murk_status status = MURK_OK;
     murk_stage *stage = calloc(1, sizeof *stage);
@@ -314,20 +404,24 @@ murk_status murk_stage_import_beside(murk_stage **out,
     murk_position_origin(scene->origin);
     const size_t meshes = murk_mesh_files_count(scene);
     stage->mesh = calloc(meshes, sizeof *stage->mesh);
+    stage->mesh_sum = calloc(meshes, sizeof *stage->mesh_sum);
+    stage->filling_sum = calloc(MURK_FILLING_FILES * scene->n_media + 1,
+                                sizeof *stage->filling_sum);
     stage->light_key = strdup(scene->light_key);
-    if (!stage->mesh || !stage->light_key) {
+    if (!stage->mesh || !stage->mesh_sum || !stage->filling_sum ||
+        !stage->light_key) {
         status = murk_no_memory(err, scene->path, "for the world");
     } else {
         stage->region_mesh = stage->mesh + scene->geometries;
         stage->goal_mesh = stage->region_mesh + scene->n_regions;
         stage->zone_mesh = stage->goal_mesh + scene->placement.n_interests + 1;
-        /* Read files, or borrow them. */
-        status =
-            other ? borrow_world(stage, other, err) : import_world(stage, err);
+        /* Read files, or share what was read of them. */
+        status = has_same_files ? share_world(stage, other, err)
+                                : import_world(stage, other, err);
     }
     /* Read the files of goals and zones. */
     if (!status) {
-        status = import_meshes(stage, lit_meshes(scene), meshes, err);
+        status = import_meshes(stage, NULL, lit_meshes(scene), meshes, err);
     }
     if (status) {
         murk_stage_destroy(stage);
@@ -338,10 +432,17 @@ murk_status murk_stage_import_beside(murk_stage **out,
     return MURK_OK;
 }
 
+murk_status murk_stage_import_beside(murk_stage **out,
+                                     const murk_scene_desc *scene,
+                                     const murk_stage *other, murk_error *err)
+{
+    return import(out, scene, other, other != NULL, err);
+}
+
 murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err)
 {
-    return murk_stage_import_beside(out, scene, NULL, err);
+    return import(out, scene, NULL, false, err);
 }
 
 murk_status murk_stage_build(murk_stage *stage, murk_error *err)
@@ -390,11 +491,12 @@ murk_status murk_stage_build(murk_stage *stage, murk_error *err)
     return MURK_OK;
 }
 
-murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
-                              murk_error *err)
+murk_status murk_stage_create_after(murk_stage **out,
+                                    const murk_scene_desc *scene,
+                                    const murk_stage *earlier, murk_error *err)
 {
     murk_stage *stage = NULL;
-    murk_status status = murk_stage_import(&stage, scene, err);
+    murk_status status = import(&stage, scene, earlier, false, err);
     if (!status) {
         status = murk_stage_build(stage, err);
     }
@@ -404,6 +506,12 @@ murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
     }
     *out = stage;
     return MURK_OK;
+}
+
+murk_status murk_stage_create(murk_stage **out, const murk_scene_desc *scene,
+                              murk_error *err)
+{
+    return murk_stage_create_after(out, scene, NULL, err);
 }
 
 void murk_stage_destroy(murk_stage *stage)
@@ -417,16 +525,14 @@ void murk_stage_destroy(murk_stage *stage)
     murk_phases_destroy(stage->phases);
     murk_boundary_meshes_destroy(stage->boundary_meshes);
     murk_surfaces_destroy(stage->surfaces);
-    /* Of the meshes, a stage that borrows owns only those of goals and zones.
-     */
-    size_t i = stage->borrows ? lit_meshes(stage->scene) : 0;
-    for (; stage->mesh && i < murk_mesh_files_count(stage->scene); ++i) {
+    for (size_t i = 0; stage->mesh && i < murk_mesh_files_count(stage->scene);
+         ++i) {
         murk_mesh_destroy(stage->mesh[i]);
     }
-    if (!stage->borrows) {
-        murk_fillings_destroy(stage->fillings);
-    }
+    murk_fillings_destroy(stage->fillings);
     free(stage->light_key);
+    free(stage->mesh_sum);
+    free(stage->filling_sum);
     free(stage->tally);
     free(stage->sky);
     free(stage->mesh);

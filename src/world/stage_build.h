@@ -26,13 +26,21 @@ murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
 murk_status murk_stage_build(murk_stage *stage, murk_error *err);
 
 /* As murk_stage_import(), for a scene that has the same world_key and the same
- * files as the scene of the stage `other`, which is imported but not built. The
- * meshes of geometry and regions, the grids and the profiles are borrowed from
- * `other`, which must outlive *out; the remaining meshes are imported. other
+ * files as the scene of the stage `other`. The meshes of geometry and regions
+ * and the grids are those of `other`; the remaining meshes are imported. other
  * may be NULL: all files are imported then. */
 murk_status murk_stage_import_beside(murk_stage **out,
                                      const murk_scene_desc *scene,
                                      const murk_stage *other, murk_error *err);
+
+/* As murk_stage_create(), for a scene that may have files in common with that
+ * of the stage `earlier`: a mesh of geometry or regions, or a grid, is that of
+ * `earlier` if its file has the same checksum and is imported in the same way.
+ * The other files that a file names, such as the materials of an OBJ file, are
+ * taken to be the same then. earlier may be NULL. */
+murk_status murk_stage_create_after(murk_stage **out,
+                                    const murk_scene_desc *scene,
+                                    const murk_stage *earlier, murk_error *err);
 
 /* Creates the media of a scene in the domain of the stage. The scene is that of
  * the stage, or a scene that differs from that of the stage in numbers alone (a

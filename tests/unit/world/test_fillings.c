@@ -1,6 +1,7 @@
 /* Grids, frames and profiles on their way from a scene to its world. Nothing
  * here is random. */
 #define _DEFAULT_SOURCE /* P_tmpdir */
+#include "base/host.h"
 #include "check.h"
 #include "medium/grid_write.h"
 #include "stage_text.h"
@@ -136,6 +137,60 @@ static void test_a_time_between_frames(void)
     write_density(2, 2);
 }
 
+/* True if the stage `after`, made beside `stage`, is as `alone` and shares the
+ * grids of the first medium, or does not. */
+static void check_shared(const char *scene, const murk_stage *stage,
+                         bool is_shared)
+{
+    murk_stage *alone = stage_of(scene, NULL), *after = NULL;
+    murk_error err = {0};
+    CHECK(alone && murk_stage_create_after(&after, alone->scene, stage, &err) ==
+                       MURK_OK);
+    if (after) {
+        CHECK((after->grid[0] == stage->grid[0]) == is_shared);
+        CHECK((after->fillings->albedo[0] == stage->fillings->albedo[0]) ==
+              is_shared);
+        CHECK(strcmp(after->light_key, alone->light_key) == 0);
+        CHECK(extinction(after, 0, 0, 0) == extinction(alone, 0, 0, 0));
+        CHECK(scattering(after, 1, 0, 0) == scattering(alone, 1, 0, 0));
+    }
+    murk_stage_destroy(after);
+    stage_text_destroy(alone);
+}
+
+/* A stage shares grids with an earlier one if the files have equal contents and
+ * the same grids are taken from them. */
+static void test_equal_files_are_shared(void)
+{
+    char scene[512];
+    /* Files are read beside a ray device, whose threads a fork would not have.
+     */
+    murk_host_now()->importing = MURK_IMPORT_IN_PROCESS;
+    scene_in_time(scene, "1");
+    murk_stage *stage = stage_of(scene, NULL);
+    CHECK(stage);
+    check_shared(scene, stage, true);
+    scene_in_time(scene, "2");
+    check_shared(scene, stage, false);
+    scene_in_time(scene, "1.25");
+    check_shared(scene, stage, false);
+    /* The same file with other contents. */
+    scene_in_time(scene, "1");
+    write_density(1, 3);
+    check_shared(scene, stage, false);
+    write_frame(1);
+    check_shared(scene, stage, true);
+    stage_text_destroy(stage);
+    /* Between two frames: at the same time and at another one. */
+    scene_in_time(scene, "1.25");
+    stage = stage_of(scene, NULL);
+    check_shared(scene, stage, true);
+    scene_in_time(scene, "1.5");
+    check_shared(scene, stage, false);
+    stage_text_destroy(stage);
+    murk_host_now()->importing = MURK_IMPORT_FORKS;
+}
+
 static void refuses(const char *media, const char *override, const char *part)
 {
     /* Write a scene with these media. */
@@ -240,6 +295,7 @@ int main(void)
     }
     test_frames_and_albedo();
     test_a_time_between_frames();
+    test_equal_files_are_shared();
     test_a_missing_frame_names_those_there_are();
     test_a_profile_and_its_extent();
     for (int i = 0; i < 3; ++i) {
