@@ -125,9 +125,9 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
         world->desc->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     murk_status status = MURK_NO_MEMORY;
     if (plan && earlier) {
-        before =
-            (murk_earlier_plan){earlier->session.stage, earlier->session.traced,
-                                earlier->plan.poses, &earlier->plan.matrix};
+        before = (murk_earlier_plan){
+            earlier->session.stage, earlier->session.traced,
+            earlier->plan.poses, earlier->plan.tested, &earlier->plan.matrix};
         plan->plan.earlier = &before;
     }
     if (plan && earlier && !m->is_step) { /* steps name a file */

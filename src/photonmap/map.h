@@ -68,6 +68,11 @@ double murk_photon_map_memory_for(double n);
 size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
                               double radius_m, uint32_t *found);
 
+/* The same of n records in memory: their indices in the list. A record is
+ * within range here if a map that contains it would find it. */
+size_t murk_photons_within(const murk_photon *photon, size_t n,
+                           murk_vec3 center, double radius_m, uint32_t *found);
+
 /* Like murk_photon_map_within(), but only counts. */
 size_t murk_photon_map_count_within(const murk_photon_map *map,
                                     murk_vec3 center, double radius_m);

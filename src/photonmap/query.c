@@ -107,14 +107,19 @@ static bool round_center(float out[3], murk_vec3 center)
     return isfinite(out[0]) && isfinite(out[1]) && isfinite(out[2]);
 }
 
+/* False if no photon can be within the radius. */
+static bool make_ball(murk_query_sphere *out, murk_vec3 center, double radius_m)
+{
+    const float radius = (float)radius_m;
+    out->radius2 = radius * radius;
+    return radius_m >= 0 && round_center(out->center, center);
+}
+
 static size_t search(const murk_photon_map *map, murk_vec3 center,
                      double radius_m, uint32_t *found)
 {
     ball_query q = {.map = map, .found = found};
-    const float radius = (float)radius_m;
-    q.ball.radius2 = radius * radius;
-    if (!(radius_m >= 0) || !round_center(q.ball.center, center) ||
-        map->levels == 0) {
+    if (!make_ball(&q.ball, center, radius_m) || map->levels == 0) {
         return 0;
     }
     if (q.ball.radius2 > FLT_MAX) { /* the distance to an unused box would be
@@ -131,6 +136,30 @@ size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
 {
     assert(map && (found || map->n == 0));
     return search(map, center, radius_m, found);
+}
+
+size_t murk_photons_within(const murk_photon *photon, size_t n,
+                           murk_vec3 center, double radius_m, uint32_t *found)
+{
+    murk_query_sphere ball;
+    unsigned tests;
+    size_t count = 0;
+    if (!make_ball(&ball, center, radius_m)) {
+        return 0;
+    }
+    /* All tests give the same bits, and a distance that overflows is within a
+     * radius that does, as search() has it. */
+    const murk_range_test *test = murk_range_tests(&tests)[0];
+    for (size_t first = 0; first < n; first += MURK_LEAF) {
+        const size_t left = n - first;
+        uint32_t in =
+            test->leaf(photon + first,
+                       (uint32_t)(left < MURK_LEAF ? left : MURK_LEAF), &ball);
+        for (; in; in &= in - 1) {
+            found[count++] = (uint32_t)first + (uint32_t)__builtin_ctz(in);
+        }
+    }
+    return count;
 }
 
 size_t murk_photon_map_count_within(const murk_photon_map *map,

@@ -78,6 +78,7 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
     *out = (murk_at_least){.problem = *of, .of = of};
     out->problem.get_row = binary_row;
     out->problem.get_part = NULL;
+    out->problem.earlier_hash = NULL; /* of rows with their clarities */
     out->problem.rest = rest;
     out->problem.list_counters = list_counters;
     out->problem.context = out;

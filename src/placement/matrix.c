@@ -21,7 +21,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* With fewer photons murk_matrix_create() merges nothing: the rows are so short
  * that calling the kernels takes longer than the loops over words that merging
@@ -67,6 +66,21 @@ static uint64_t max_possible(const murk_layout *layout, size_t candidates)
     return (uint64_t)candidates * murk_row_bytes_max(layout);
 }
 
+/* Adds a row to the hashes, or the difference from the earlier row. */
+static void hash_row(fill_task *f, unsigned worker, size_t candidate,
+                     const murk_sparse_row *entries)
+{
+    const murk_problem *problem = f->problem;
+    if (!problem->earlier_hash) {
+        murk_merge_hash(f->hash, candidate, entries);
+        return;
+    }
+    murk_sparse_row gone, come;
+    problem->get_differences(problem->context, worker, &gone, &come);
+    murk_merge_unhash(f->hash, candidate, &gone);
+    murk_merge_hash(f->hash, candidate, &come);
+}
+
 static void fill_row(void *context, unsigned worker, uint64_t batch)
 {
     fill_task *f = context;
@@ -78,7 +92,7 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
     murk_sparse_row entries;
     f->problem->get_row(f->problem->context, worker, (size_t)batch, &entries);
     if (f->hash && murk_row_is_own((size_t)batch)) {
-        murk_merge_hash(f->hash, (size_t)batch, &entries);
+        hash_row(f, worker, (size_t)batch, &entries);
     }
     if (!murk_row_store(row, &f->matrix->layout, &entries)) {
         murk_tally_add(&f->out_of_memory, 1);
@@ -304,6 +318,10 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         matrix->row = calloc(problem->candidates + 1, sizeof *matrix->row);
         matrix->space = calloc(1, sizeof *matrix->space);
     }
+    for (size_t i = 0; hash && problem->earlier_hash && i < problem->photons;
+         ++i) {
+        hash[i] = problem->earlier_hash[i];
+    }
     /* All ranks exchange hashes, or none does. */
     const bool lacks_hash =
         murk_ranks_count() > 1 && merging != MURK_MERGE_NEVER && !hash;
@@ -324,9 +342,10 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
     if (!status && hash) {
         status = murk_merge(
             &matrix->layout, matrix->row, matrix->space, matrix->is_distributed,
-            problem, hash, merging == MURK_MERGE_ALWAYS,
+            problem, hash, problem->has_columns, merging == MURK_MERGE_ALWAYS,
             problem->has_columns ? &matrix->representative : NULL, err);
-        hash = NULL; /* murk_merge() has freed it */
+        matrix->hash = problem->has_columns ? hash : NULL;
+        hash = NULL; /* murk_merge() has freed it, or the matrix has it */
         murk_machine_trim();
     }
     if (!status) {
@@ -387,6 +406,7 @@ void murk_matrix_destroy(murk_matrix *matrix)
         free(matrix->space);
         free(matrix->row);
         free(matrix->representative);
+        free(matrix->hash);
         murk_fetched_rows_destroy(matrix->fetched);
     }
     murk_layout_release(&matrix->layout);
@@ -421,19 +441,24 @@ size_t murk_matrix_slot(const murk_matrix *matrix, uint32_t photon)
         matrix->representative ? matrix->representative[photon] : photon);
 }
 
-bool murk_matrix_spread(uint16_t *clarity, const murk_matrix *matrix,
-                        size_t candidate)
+bool murk_matrix_list(uint32_t *slot, uint16_t *clarity, size_t *n,
+                      const murk_matrix *matrix, size_t candidate)
 {
+    *n = 0;
     if (!murk_matrix_has(matrix, candidate)) {
         return false;
     }
     const murk_row *row = murk_matrix_row(matrix, candidate);
-    size_t slot;
-    uint16_t entry;
-    memset(clarity, 0, matrix->layout.slots * sizeof *clarity);
+    size_t at;
     for (murk_row_walk walk = murk_row_begin(&matrix->layout, row);
-         murk_row_next(&walk, &slot, &entry);) {
-        clarity[slot] = entry;
+         murk_row_next(&walk, &at, &clarity[*n]);) {
+        slot[*n] = (uint32_t)at;
+        *n += clarity[*n] > 0;
     }
     return true;
+}
+
+const _Atomic uint64_t *murk_matrix_hashes(const murk_matrix *matrix)
+{
+    return matrix->hash;
 }

@@ -23,6 +23,8 @@ struct murk_matrix {
     uint32_t *representative;   /* [photons of the problem] the number of each
                                    photon in the layout; NULL: the photons
                                    were not merged, or nobody asks */
+    _Atomic uint64_t *hash;     /* [photons of the problem] of the columns;
+                                   NULL: not computed, or nobody asks */
     murk_fetched_rows *fetched; /* of a distributed matrix; of another matrix if
                                    borrows_rows */
     uint64_t pairs;             /* entries of all rows that are not 0 */

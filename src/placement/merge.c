@@ -36,17 +36,30 @@ static uint64_t hash_entry(uint64_t candidate, uint16_t clarity)
     return x ^ (x >> 31);
 }
 
-void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
-                     const murk_sparse_row *entries)
+/* Adds the words of a row times `sign`, 1 or -1. */
+static void add_hash(_Atomic uint64_t *hash, size_t candidate,
+                     const murk_sparse_row *entries, uint64_t sign)
 {
     const uint64_t clear = hash_entry(candidate, MURK_CLEAR);
     for (size_t k = 0; k < entries->seen; ++k) {
         const uint64_t word = entries->clarity
                                   ? hash_entry(candidate, entries->clarity[k])
                                   : clear;
-        atomic_fetch_add_explicit(&hash[entries->photon[k]], word,
+        atomic_fetch_add_explicit(&hash[entries->photon[k]], sign * word,
                                   memory_order_relaxed);
     }
+}
+
+void murk_merge_hash(_Atomic uint64_t *hash, size_t candidate,
+                     const murk_sparse_row *entries)
+{
+    add_hash(hash, candidate, entries, 1);
+}
+
+void murk_merge_unhash(_Atomic uint64_t *hash, size_t candidate,
+                       const murk_sparse_row *entries)
+{
+    add_hash(hash, candidate, entries, UINT64_MAX);
 }
 
 /* Scratch arrays of one thread. */
@@ -372,15 +385,17 @@ static murk_status agree_on(bool *is, bool is_distributed, murk_status status,
 murk_status murk_merge(murk_layout *layout, murk_row *row,
                        murk_row_space *space, bool is_distributed,
                        const murk_problem *problem, _Atomic uint64_t *hash,
-                       bool is_forced, uint32_t **representative,
-                       murk_error *err)
+                       bool keeps_hash, bool is_forced,
+                       uint32_t **representative, murk_error *err)
 {
     merging m;
     murk_status status = MURK_OK;
     /* Group the photons and lay out the representatives. */
     bool has_memory = merging_init(&m, layout, row, space, problem) &&
                       find_groups(&m, problem, hash);
-    free(hash);
+    if (!keeps_hash) {
+        free(hash);
+    }
     m.is_distributed = is_distributed;
     has_memory = has_memory && choose_representatives(&m, problem) &&
                  allocate_scratch(&m);

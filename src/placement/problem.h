@@ -102,9 +102,17 @@ typedef struct murk_problem {
     bool is_distributed; /* ranks distribute the matrix, whatever its size
                             (placement/matrix.h); for tests */
     bool has_columns;    /* murk_matrix_slot() will be asked for the photons */
-    bool is_reweighed;   /* the matrix will get other weights
-                            (murk_matrix_reweigh), so photons with equal columns
-                            are not merged */
+    /* [photons] the hashes of the columns of an earlier matrix of the same
+     * candidates (murk_matrix_hashes()), 0 for a photon that it had not; NULL:
+     * none. Not with ranks. The hashes of this matrix are computed from them
+     * by the entries in which the row that get_row() gave last differs: *gone
+     * lists entries of the earlier row, *come those in their place. */
+    const uint64_t *earlier_hash;
+    void (*get_differences)(void *context, unsigned worker,
+                            murk_sparse_row *gone, murk_sparse_row *come);
+    bool is_reweighed; /* the matrix will get other weights
+                          (murk_matrix_reweigh), so photons with equal columns
+                          are not merged */
     murk_combining combining;
     unsigned redundancy; /* entries of a photon that count: 0 or 1 means one,
                             the maximum is MURK_REDUNDANCY_MAX; with
@@ -162,13 +170,19 @@ size_t murk_matrix_bytes(const murk_matrix *matrix);
 uint64_t murk_matrix_memory(const murk_matrix *matrix);
 
 /* The entries of a stored row by slot, of which a matrix has
- * murk_matrix_slots(): fills clarity[slots], 0 where the row has no entry.
- * False if another rank stores the row. murk_matrix_slot() is the slot of a
- * photon of the problem, with has_columns only; photons with equal columns may
- * have the same slot. May be called from any thread. */
+ * murk_matrix_slots(): fills slot[] and clarity[], which have room for all
+ * slots, with the *n entries that are not 0. False if another rank stores the
+ * row. murk_matrix_slot() is the slot of a photon of the problem, with
+ * has_columns only; photons with equal columns may have the same slot. May be
+ * called from any thread. */
 size_t murk_matrix_slots(const murk_matrix *matrix);
 size_t murk_matrix_slot(const murk_matrix *matrix, uint32_t photon);
-bool murk_matrix_spread(uint16_t *clarity, const murk_matrix *matrix,
-                        size_t candidate);
+bool murk_matrix_list(uint32_t *slot, uint16_t *clarity, size_t *n,
+                      const murk_matrix *matrix, size_t candidate);
+
+/* [photons of the problem] a hash of the column of each photon, the sum of
+ * words that depend on candidate and clarity; NULL unless the matrix was made
+ * with has_columns and looked for equal columns. */
+const _Atomic uint64_t *murk_matrix_hashes(const murk_matrix *matrix);
 
 #endif

@@ -2,6 +2,7 @@
  * their poses, and the places at which their worlds differ. */
 #include "plan/earlier.h"
 
+#include "base/ranks.h"
 #include "base/sort.h"
 #include "world/changed_world.h"
 
@@ -9,6 +10,7 @@
 #include <string.h>
 
 #define NO_CANDIDATE UINT32_MAX
+#define NO_PHOTON    UINT32_MAX
 
 /* With fewer candidates it takes longer to find the photons that are the same
  * than to test all sightlines (a choice). */
@@ -106,8 +108,7 @@ static bool reserve(runs *r, size_t n)
     return r->earlier && r->now;
 }
 
-/* Pairs equal records of two sorted runs: the new photon gets the slot of the
- * earlier one. */
+/* Pairs equal records of two sorted runs. */
 static void pair_runs(murk_earlier_rows *rows, const runs *r, size_t n,
                       size_t m)
 {
@@ -115,15 +116,14 @@ static void pair_runs(murk_earlier_rows *rows, const runs *r, size_t n,
     while (i < n && k < m) {
         const int order = compare_records(&r->earlier[i], &r->now[k]);
         if (order == 0) {
-            rows->column[r->now[k].number] =
-                (uint32_t)murk_matrix_slot(rows->matrix, r->earlier[i].number);
+            rows->same[r->now[k].number] = r->earlier[i].number;
         }
         i += order <= 0;
         k += order >= 0;
     }
 }
 
-/* Fills rows->column. False when out of memory. */
+/* Fills rows->same. False when out of memory. */
 static bool match_photons(murk_earlier_rows *rows, const photon_list *earlier,
                           const photon_list *now)
 {
@@ -152,6 +152,101 @@ static bool match_photons(murk_earlier_rows *rows, const photon_list *earlier,
     return has_memory;
 }
 
+/* Lists the new photons of each slot of the earlier matrix. False when out of
+ * memory. */
+static bool list_by_slot(murk_earlier_rows *rows, size_t photons)
+{
+    const size_t slots = murk_matrix_slots(rows->matrix);
+    rows->first =
+        murk_arena_array(&rows->arena, slots + 2, sizeof *rows->first);
+    rows->photon =
+        murk_arena_array(&rows->arena, photons, sizeof *rows->photon);
+    if (rows->arena.is_short) {
+        return false;
+    }
+    /* Count, sum up, and fill; first[s + 1] is the end of slot s while it is
+     * filled. */
+    for (size_t i = 0; i < photons; ++i) {
+        if (rows->same[i] != NO_PHOTON) {
+            ++rows->first[murk_matrix_slot(rows->matrix, rows->same[i]) + 2];
+        }
+    }
+    for (size_t s = 0; s < slots; ++s) {
+        rows->first[s + 2] += rows->first[s + 1];
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        if (rows->same[i] != NO_PHOTON) {
+            const size_t slot = murk_matrix_slot(rows->matrix, rows->same[i]);
+            rows->photon[rows->first[slot + 1]++] = (uint32_t)i;
+        }
+    }
+    return true;
+}
+
+/* Lists the photons that came. False when out of memory. */
+static bool list_added(murk_earlier_rows *rows, const photon_list *now)
+{
+    murk_sight_changes *c = &rows->changes;
+    size_t n = 0;
+    for (size_t i = 0; i < now->n; ++i) {
+        n += rows->same[i] == NO_PHOTON;
+    }
+    uint32_t *added = murk_arena_array(&rows->arena, n, sizeof *added);
+    murk_photon *record = murk_arena_array(&rows->arena, n, sizeof *record);
+    uint64_t *bits =
+        murk_arena_array(&rows->arena, now->n / 64 + 1, sizeof *bits);
+    if (rows->arena.is_short) {
+        return false;
+    }
+    /* Fill the lists. */
+    n = 0;
+    for (size_t i = 0; i < now->n; ++i) {
+        if (rows->same[i] != NO_PHOTON) {
+            continue;
+        }
+        const bool is_volume = i >= now->first_volume;
+        added[n] = (uint32_t)(is_volume ? i - now->first_volume : i);
+        record[n++] = *photon_of(now, (uint32_t)i);
+        bits[i / 64] |= UINT64_C(1) << (i % 64);
+        c->added_volume += is_volume;
+        c->added_surface += !is_volume;
+    }
+    c->added = added;
+    c->added_photon = record;
+    c->is_added = bits;
+    return true;
+}
+
+/* Lists the photons that are gone. False when out of memory. */
+static bool list_gone(murk_earlier_rows *rows, const photon_list *earlier,
+                      size_t photons)
+{
+    uint64_t *is_there =
+        murk_arena_array(&rows->arena, earlier->n / 64 + 1, sizeof *is_there);
+    size_t n = earlier->n;
+    for (size_t i = 0; is_there && i < photons; ++i) {
+        const uint32_t k = rows->same[i];
+        if (k != NO_PHOTON) {
+            is_there[k / 64] |= UINT64_C(1) << (k % 64);
+            --n;
+        }
+    }
+    murk_photon *record = murk_arena_array(&rows->arena, n, sizeof *record);
+    if (rows->arena.is_short) {
+        return false;
+    }
+    /* Copy the others. */
+    n = 0;
+    for (uint32_t i = 0; i < earlier->n; ++i) {
+        if (!(is_there[i / 64] >> (i % 64) & 1)) {
+            record[n++] = *photon_of(earlier, i);
+        }
+    }
+    rows->changes.gone = record;
+    rows->changes.gone_photons = n;
+    return true;
+}
+
 static bool find_photons(murk_earlier_rows *rows,
                          const murk_earlier_plan *earlier,
                          const murk_sight *sight)
@@ -159,16 +254,17 @@ static bool find_photons(murk_earlier_rows *rows,
     const murk_sight_desc *desc = murk_sight_described(sight);
     photon_list before = {0}, now = {0};
     const size_t n = murk_sight_photons(sight);
-    rows->column = malloc(n * sizeof *rows->column + 1);
-    for (size_t i = 0; rows->column && i < n; ++i) {
-        rows->column[i] = MURK_NO_COLUMN;
+    rows->same = murk_arena_array(&rows->arena, n, sizeof *rows->same);
+    for (size_t i = 0; rows->same && i < n; ++i) {
+        rows->same[i] = NO_PHOTON;
     }
     const bool has_memory =
-        rows->column &&
+        rows->same &&
         list_photons(&before, earlier->traced->surface,
                      earlier->traced->volume) &&
         list_photons(&now, desc->surface_map, desc->volume_map) &&
-        match_photons(rows, &before, &now);
+        match_photons(rows, &before, &now) && list_by_slot(rows, n) &&
+        list_added(rows, &now) && list_gone(rows, &before, n);
     free(before.order);
     free(now.order);
     return has_memory;
@@ -202,7 +298,8 @@ static bool find_candidates(murk_earlier_rows *rows, const murk_poses *earlier,
 {
     const size_t n = earlier->count;
     numbered_pose *sorted = malloc(n * sizeof *sorted + 1);
-    rows->candidate = malloc(now->count * sizeof *rows->candidate + 1);
+    rows->candidate =
+        murk_arena_array(&rows->arena, now->count, sizeof *rows->candidate);
     const bool has_memory = sorted && rows->candidate;
     for (size_t i = 0; has_memory && i < n; ++i) {
         sorted[i] = numbered_pose_of(earlier, i);
@@ -266,40 +363,144 @@ static bool accepts_scattered(const murk_scene_desc *scene)
     return accepts;
 }
 
-/* A murk_known_rows.get. */
-static bool get_known(void *context, unsigned worker, size_t candidate,
-                      murk_known_row *row)
+/* ---- rows ---- */
+
+static bool has_bit(const uint64_t *bits, uint32_t i)
 {
-    const murk_earlier_rows *rows = context;
-    const uint32_t before = rows->candidate[candidate];
-    *row =
-        (murk_known_row){rows->column, rows->clarity[worker], &rows->changed};
-    return before != NO_CANDIDATE &&
-           murk_matrix_spread(rows->clarity[worker], rows->matrix, before);
+    return bits[i / 64] >> (i % 64) & 1;
 }
 
-/* False when out of memory. */
-static bool allocate_scratch(murk_earlier_rows *rows, unsigned threads)
+static void set_entry(murk_earlier_scratch *s, uint32_t photon,
+                      uint16_t clarity)
 {
-    const size_t slots = murk_matrix_slots(rows->matrix);
-    rows->clarity = calloc(threads, sizeof *rows->clarity);
-    bool has_memory = rows->clarity;
-    for (; has_memory && rows->threads < threads; ++rows->threads) {
-        uint16_t *made = malloc(slots * sizeof *made + 1);
-        rows->clarity[rows->threads] = made;
-        has_memory = made;
+    s->dense[photon] = clarity;
+    s->seen[photon / 64] |= UINT64_C(1) << (photon % 64);
+}
+
+/* Spreads the entries of the earlier row that are taken over, and lists the
+ * others of photons that are still there. */
+static void take_over(const murk_earlier_rows *rows, murk_earlier_scratch *s,
+                      size_t n)
+{
+    s->gone = (murk_sparse_row){0, s->gone_photon, s->gone_clarity};
+    for (size_t k = 0; k < n; ++k) {
+        const uint32_t slot = s->slot[k];
+        for (uint32_t i = rows->first[slot]; i < rows->first[slot + 1]; ++i) {
+            const uint32_t photon = rows->photon[i];
+            if (has_bit(s->again, photon)) {
+                s->gone_photon[s->gone.seen] = photon;
+                s->gone_clarity[s->gone.seen++] = s->slot_clarity[k];
+            } else {
+                set_entry(s, photon, s->slot_clarity[k]);
+            }
+        }
     }
-    return has_memory;
+}
+
+/* Lists the entries that were spread, by rising number, and clears the bits. */
+static void list_row(murk_earlier_scratch *s, size_t words,
+                     murk_sparse_row *out)
+{
+    size_t n = 0;
+    bool are_clear = true;
+    for (size_t w = 0; w < words; ++w) {
+        for (uint64_t bits = s->seen[w]; bits; bits &= bits - 1) {
+            const size_t i = 64 * w + (size_t)__builtin_ctzll(bits);
+            s->photon[n] = (uint32_t)i;
+            s->clarity[n++] = s->dense[i];
+            are_clear = are_clear && s->dense[i] == MURK_CLEAR;
+        }
+    }
+    memset(s->seen, 0, words * sizeof *s->seen);
+    memset(s->again, 0, words * sizeof *s->again);
+    *out = (murk_sparse_row){n, s->photon, are_clear ? NULL : s->clarity};
+}
+
+/* A murk_known_rows.get: what was tested again in place of the entries of the
+ * earlier row. */
+static bool get_known(void *context, unsigned worker, size_t candidate,
+                      murk_sparse_row *row)
+{
+    const murk_earlier_rows *rows = context;
+    murk_earlier_scratch *s = &rows->scratch[worker];
+    const uint32_t before = rows->candidate[candidate];
+    const size_t words = murk_sight_photons(rows->sight) / 64 + 1;
+    size_t n;
+    if (before == NO_CANDIDATE || rows->tested[before] == MURK_NOT_TESTED ||
+        !murk_matrix_list(s->slot, s->slot_clarity, &n, rows->matrix, before)) {
+        return false;
+    }
+    murk_sight_row_again(rows->sight, worker, &rows->poses->pose[candidate],
+                         &rows->changes, rows->tested[before], s->again,
+                         &s->come);
+    take_over(rows, s, n);
+    for (size_t k = 0; k < s->come.seen; ++k) {
+        set_entry(s, s->come.photon[k],
+                  s->come.clarity ? s->come.clarity[k] : MURK_CLEAR);
+    }
+    list_row(s, words, row);
+    return true;
+}
+
+/* A murk_known_rows.get_differences. */
+static void get_differences(void *context, unsigned worker,
+                            murk_sparse_row *gone, murk_sparse_row *come)
+{
+    const murk_earlier_rows *rows = context;
+    *gone = rows->scratch[worker].gone;
+    *come = rows->scratch[worker].come;
+}
+
+static void allocate_scratch(murk_earlier_rows *rows, size_t photons)
+{
+    const size_t slots = murk_matrix_slots(rows->matrix),
+                 words = photons / 64 + 1;
+    murk_arena *a = &rows->arena;
+    rows->scratch = murk_arena_array(a, rows->threads, sizeof *rows->scratch);
+    for (unsigned i = 0; i < rows->threads && rows->scratch; ++i) {
+        murk_earlier_scratch *s = &rows->scratch[i];
+        s->slot = murk_arena_array(a, slots, sizeof *s->slot);
+        s->slot_clarity = murk_arena_array(a, slots, sizeof *s->slot_clarity);
+        s->dense = murk_arena_array(a, photons, sizeof *s->dense);
+        s->seen = murk_arena_array(a, words, sizeof *s->seen);
+        s->again = murk_arena_array(a, words, sizeof *s->again);
+        s->photon = murk_arena_array(a, photons, sizeof *s->photon);
+        s->clarity = murk_arena_array(a, photons, sizeof *s->clarity);
+        s->gone_photon = murk_arena_array(a, photons, sizeof *s->gone_photon);
+        s->gone_clarity = murk_arena_array(a, photons, sizeof *s->gone_clarity);
+    }
+}
+
+/* The hashes of the columns of the new photons in the earlier matrix, if the
+ * candidates are the same and have the same numbers. */
+static void take_hashes(murk_earlier_rows *rows, size_t photons,
+                        size_t earlier_candidates)
+{
+    const _Atomic uint64_t *hash = murk_matrix_hashes(rows->matrix);
+    bool are_same = hash && murk_ranks_count() == 1 &&
+                    earlier_candidates == rows->poses->count;
+    for (size_t i = 0; i < rows->poses->count && are_same; ++i) {
+        are_same =
+            rows->candidate[i] == i && rows->tested[i] != MURK_NOT_TESTED;
+    }
+    if (!are_same) {
+        return;
+    }
+    rows->hash = murk_arena_array(&rows->arena, photons, sizeof *rows->hash);
+    for (size_t i = 0; rows->hash && i < photons; ++i) {
+        const uint32_t k = rows->same[i];
+        rows->hash[i] = k == NO_PHOTON ? 0 : atomic_load(&hash[k]);
+    }
 }
 
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
                                      const murk_poses *poses,
-                                     const murk_stage *stage,
-                                     const murk_sight *sight, murk_error *err)
+                                     const murk_stage *stage, murk_sight *sight,
+                                     murk_error *err)
 {
-    murk_earlier_rows rows = {0};
-    *out = rows;
+    murk_earlier_rows rows = {.sight = sight, .poses = poses};
+    *out = (murk_earlier_rows){0};
     if (!earlier || !*earlier->matrix || !murk_sight_may_know(sight) ||
         poses->count < CANDIDATES_MIN ||
         !has_same_settings(earlier->stage->scene, stage->scene)) {
@@ -307,33 +508,35 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     }
     /* The places that have changed, then the photons and candidates that have
      * not. */
+    const size_t photons = murk_sight_photons(sight);
     rows.matrix = *earlier->matrix;
+    rows.tested = earlier->tested;
+    rows.threads = murk_sight_described(sight)->threads;
     const murk_world_use what = accepts_scattered(stage->scene)
                                     ? MURK_USE_ACCEPTING_SIGHT
                                     : MURK_USE_SIGHT;
-    const murk_status status =
-        murk_changed_world(&rows.changed, earlier->stage, stage, what, err);
-    if (status || rows.changed.are_all) {
+    const murk_status status = murk_changed_world(
+        &rows.changes.changed, earlier->stage, stage, what, err);
+    if (status || rows.changes.changed.are_all) {
         return status;
     }
-    if (!find_photons(&rows, earlier, sight) ||
-        !find_candidates(&rows, earlier->poses, poses) ||
-        !allocate_scratch(&rows, murk_sight_described(sight)->threads)) {
-        murk_earlier_rows_release(&rows);
+    const bool has_memory = find_photons(&rows, earlier, sight) &&
+                            find_candidates(&rows, earlier->poses, poses);
+    if (has_memory) {
+        allocate_scratch(&rows, photons);
+        take_hashes(&rows, photons, earlier->poses->count);
+    }
+    if (!has_memory || rows.arena.is_short) {
+        murk_arena_release(&rows.arena);
         return murk_no_memory(err, "", "for the rows of the step before");
     }
     *out = rows;
-    out->known = (murk_known_rows){get_known, out};
+    out->known = (murk_known_rows){get_known, out, rows.hash, get_differences};
     return MURK_OK;
 }
 
 void murk_earlier_rows_release(murk_earlier_rows *rows)
 {
-    for (unsigned i = 0; i < rows->threads; ++i) {
-        free(rows->clarity[i]);
-    }
-    free(rows->clarity);
-    free(rows->column);
-    free(rows->candidate);
+    murk_arena_release(&rows->arena);
     *rows = (murk_earlier_rows){0};
 }

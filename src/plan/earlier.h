@@ -6,30 +6,57 @@
 #ifndef MURK_PLAN_EARLIER_H
 #define MURK_PLAN_EARLIER_H
 
+#include "base/arena.h"
 #include "lightmap/lightmap.h"
 #include "plan/poses.h"
 #include "sensing/sight.h"
 #include "world/stage.h"
 
-/* What an earlier plan leaves: its world and light, its candidates, and the
- * matrix that it was chosen from, NULL if it was not stored. All is borrowed,
- * but for the matrix, which is destroyed when the new rows are complete. */
+/* What an earlier plan leaves: its world and light, its candidates, the matrix
+ * that it was chosen from, NULL if it was not stored, and the number of
+ * sightlines of each row (murk_sight_tested()). All is borrowed, but for the
+ * matrix, which is destroyed when the new rows are complete. */
 typedef struct murk_earlier_plan {
     const murk_stage *stage;
     const murk_traced *traced;
     const murk_poses *poses;
+    const uint32_t *tested; /* [poses] */
     murk_matrix **matrix;
 } murk_earlier_plan;
 
+/* Scratch memory of a thread: the earlier row by slot, the new row, and the
+ * entries of the earlier row in place of which sightlines were tested again. */
+typedef struct murk_earlier_scratch {
+    uint32_t *slot;
+    uint16_t *slot_clarity; /* [slots] */
+    uint16_t *dense;        /* [photons] the new row, in any order, */
+    uint64_t *seen, *again; /* a bit a photon: has an entry in `dense`; was
+                             * tested again */
+    uint32_t *photon;
+    uint16_t *clarity; /* [photons] the new row */
+    uint32_t *gone_photon;
+    uint16_t *gone_clarity; /* [photons] */
+    murk_sparse_row gone, come;
+} murk_earlier_scratch;
+
 typedef struct murk_earlier_rows {
     murk_known_rows known; /* for the placement problem of the new plan */
+    murk_sight *sight;     /* of the new plan */
+    const murk_poses *poses;
     const murk_matrix *matrix;
-    uint32_t *column;    /* [photons] as in murk_known_row */
-    uint32_t *candidate; /* [poses of the new plan] number of the equal pose of
-                          * the earlier plan; UINT32_MAX: none */
-    uint16_t **clarity;  /* [threads][slots] scratch */
+    const uint32_t *tested;
+    uint32_t *same;      /* [photons of the new plan] number of the equal
+                          * photon of the earlier plan; UINT32_MAX: none */
+    uint32_t *first;     /* [slots + 1] the photons of a slot of the earlier
+                          * matrix in */
+    uint32_t *photon;    /* [photons] this list of new photons */
+    uint32_t *candidate; /* [poses of the new plan] number of the equal pose
+                          * of the earlier plan; UINT32_MAX: none */
+    uint64_t *hash;      /* [photons] murk_problem.earlier_hash, or NULL */
+    murk_sight_changes changes;
+    murk_earlier_scratch *scratch; /* [threads] */
     unsigned threads;
-    murk_box_list changed;
+    murk_arena arena; /* of all arrays */
 } murk_earlier_rows;
 
 /* Prepares to take over rows of `earlier`, NULL: of none, for the candidates of
@@ -42,8 +69,8 @@ typedef struct murk_earlier_rows {
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
                                      const murk_poses *poses,
-                                     const murk_stage *stage,
-                                     const murk_sight *sight, murk_error *err);
+                                     const murk_stage *stage, murk_sight *sight,
+                                     murk_error *err);
 void murk_earlier_rows_release(murk_earlier_rows *rows);
 
 #endif

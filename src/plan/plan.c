@@ -253,17 +253,30 @@ static void forget_earlier(murk_plan_result *plan)
     }
 }
 
-/* Leaves the matrix to the plan, if that is asked for and the rows leave half
- * of the memory for those of the next plan; else destroys it. */
+/* Leaves the matrix, and the numbers of sightlines of its rows, to the plan, if
+ * that is asked for and the rows leave half of the memory for those of the next
+ * plan; else destroys them. */
 static void keep_matrix(murk_plan_result *plan, murk_matrix *matrix,
-                        uint64_t memory)
+                        uint32_t *tested, uint64_t memory)
 {
-    if (matrix && plan->keeps_matrix &&
-        murk_matrix_bytes(matrix) <= memory / 2) {
+    if (matrix && tested && murk_matrix_bytes(matrix) <= memory / 2) {
         plan->matrix = matrix;
+        plan->tested = tested;
         return;
     }
     murk_matrix_destroy(matrix);
+    free(tested);
+}
+
+/* Numbers of sightlines for the rows of a matrix that stays; NULL when out of
+ * memory, and the matrix then does not stay. */
+static uint32_t *note_sightlines(size_t candidates)
+{
+    uint32_t *tested = malloc(candidates * sizeof *tested + 1);
+    for (size_t i = 0; tested && i < candidates; ++i) {
+        tested[i] = MURK_NOT_TESTED;
+    }
+    return tested;
 }
 
 /* Chooses the sensors by the method that placement.knowledge asks for. */
@@ -311,10 +324,12 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     status = murk_earlier_rows_create(&rows, plan->earlier, plan->poses, stage,
                                       sight, err);
     seen.problem.has_columns = plan->keeps_matrix;
-    seen.known = rows.known.get ? &rows.known : NULL;
+    seen.tested =
+        plan->keeps_matrix ? note_sightlines(plan->poses->count) : NULL;
     const uint64_t taken = memory_taken(&rows, desc.row_memory);
     const size_t at_least = murk_plan_at_least(stage->scene);
     murk_at_least strict;
+    murk_sight_problem_know(&seen, rows.known.get ? &rows.known : NULL);
     murk_at_least_init(&strict, &seen.problem, (unsigned)at_least);
     const murk_problem *problem = at_least ? &strict.problem : &seen.problem;
     if (!status) {
@@ -336,7 +351,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     } else if (!status) {
         status = murk_place_sensors(&plan->place, problem, matrix, &desc, err);
     }
-    keep_matrix(plan, matrix, desc.row_memory);
+    keep_matrix(plan, matrix, seen.tested, desc.row_memory);
     plan->place_s = murk_clock_s() - begun_s;
     murk_plan_add_work(plan, sight);
     murk_plan_count_queries(plan, plan->place.queries);
@@ -424,6 +439,7 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
 void murk_plan_result_release(murk_plan_result *plan)
 {
     murk_matrix_destroy(plan->matrix);
+    free(plan->tested);
     murk_candidates_destroy(plan->candidates);
     murk_poses_destroy(plan->poses);
     murk_place_release(&plan->place);

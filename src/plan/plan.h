@@ -119,6 +119,7 @@ typedef struct murk_plan_result {
                                        * destroyed by then */
     murk_matrix *matrix; /* of a known environment, with keeps_matrix, unless it
                           * takes more than half of memory_mb; else NULL */
+    uint32_t *tested;    /* [poses] sightlines of each row, with `matrix` */
     murk_candidates *candidates;
     murk_poses *poses; /* poses of the candidates: the choices of placement */
     murk_place_result place;

@@ -148,30 +148,42 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
 
-/* What is known of a row from an earlier sight of the same sensor types and
- * settings, in a world that differs from that of this sight within boxes
- * only. */
-typedef struct murk_known_row {
-    const uint32_t *column;  /* [photons] the place of each photon of this sight
-                              * in clarity[]; MURK_NO_COLUMN: the earlier sight
-                              * had no equal photon */
-    const uint16_t *clarity; /* of the earlier row; 0: not seen */
-    const murk_box_list *changed; /* enlarged for the rounding of sightlines */
-} murk_known_row;
+/* How this sight differs from an earlier one of the same sensor types and
+ * settings: in some photons, and in sightlines that meet a changed place. */
+typedef struct murk_sight_changes {
+    /* The photons that the earlier sight had not, those of the surface map
+     * first: their numbers in their map, rising, their records, and a bit for
+     * each photon of this sight. */
+    const uint32_t *added;
+    const murk_photon *added_photon;
+    size_t added_surface, added_volume;
+    const uint64_t *is_added;
+    const murk_photon *gone; /* [gone_photons] those that this sight has not */
+    size_t gone_photons;
+    murk_box_list changed; /* enlarged for the rounding of sightlines */
+} murk_sight_changes;
 
-#define MURK_NO_COLUMN UINT32_MAX
-
-/* True if rows of an earlier sight may be known: sightlines are straight and
- * not counted when a boundary of a refractive index bends them, the domain has
- * no images, and detection is not by power. */
+/* True if rows may be taken over from an earlier sight: sightlines are straight
+ * and not counted when a boundary of a refractive index bends them, the domain
+ * has no images, and detection is not by power. */
 bool murk_sight_may_know(const murk_sight *sight);
 
-/* murk_sight_row(), with the clarities of photons that the earlier sight had
- * and whose sightlines do not meet a changed place; these sightlines are
- * counted as if they were tested, and as reused. */
-void murk_sight_row_from(murk_sight *sight, unsigned worker,
-                         const murk_pose *pose, const murk_known_row *known,
-                         murk_sparse_row *row);
+/* The part of murk_sight_row() that may differ from the row of the earlier
+ * sight: the entries of photons that were added or whose sightlines meet a
+ * changed place. Sets a bit in tested[photons / 64] for each photon whose
+ * sightline was tested; of these, *row has those that are seen. The sightlines
+ * that the row has in common with the earlier row, of which `before` were
+ * tested, are counted as if they were tested, and as reused. */
+void murk_sight_row_again(murk_sight *sight, unsigned worker,
+                          const murk_pose *pose,
+                          const murk_sight_changes *changes, uint32_t before,
+                          uint64_t *tested, murk_sparse_row *row);
+
+/* In place of a number of sightlines: the row is not computed here. */
+#define MURK_NOT_TESTED UINT32_MAX
+
+/* The number of sightlines of the last row of a worker, tested or reused. */
+uint32_t murk_sight_tested(const murk_sight *sight, unsigned worker);
 
 /* The same for the photons that are needed; false, without a row, if the row
  * was given up (murk_problem.get_part). Sightlines to other photons are not
@@ -192,13 +204,17 @@ void murk_sight_depths(double *depth, double *sheets, const murk_sight *sight,
                        const murk_pose *pose, const uint32_t *photon, size_t n,
                        const murk_media *const *media, size_t count);
 
-/* Rows that are known from an earlier sight. */
+/* Rows that are made from those of an earlier sight. */
 typedef struct murk_known_rows {
-    /* Fills *row with what is known of the row of a candidate, until the next
-     * call with the same worker; false if nothing is. */
+    /* Fills *row with the row of a candidate, until the next call with the same
+     * worker; false if its earlier row is not known. */
     bool (*get)(void *context, unsigned worker, size_t candidate,
-                murk_known_row *row);
+                murk_sparse_row *row);
     void *context;
+    /* As in murk_problem. */
+    const uint64_t *earlier_hash;
+    void (*get_differences)(void *context, unsigned worker,
+                            murk_sparse_row *gone, murk_sparse_row *come);
 } murk_known_rows;
 
 /* The placement problem of the candidates pose[n]. Borrows poses and sight.
@@ -207,10 +223,16 @@ typedef struct murk_sight_problem {
     murk_problem problem;
     murk_sight *sight;
     const murk_pose *pose;
-    const murk_known_rows *known; /* NULL: each row is computed */
+    const murk_known_rows *known; /* of murk_sight_problem_know(), or NULL */
+    uint32_t *tested; /* [candidates] gets the number of sightlines of each row
+                       * (murk_sight_tested()); NULL: nobody asks */
 } murk_sight_problem;
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_pose *pose, size_t n);
+
+/* Makes rows from those of an earlier sight, NULL: none. Borrows `known`. */
+void murk_sight_problem_know(murk_sight_problem *problem,
+                             const murk_known_rows *known);
 
 /* Whole-number weights of the photons [surface + volume], as plans count them:
  * within a map proportional to power (times the factor of the regions of
@@ -249,7 +271,7 @@ size_t murk_sight_power_few(const murk_sight *sight);
  * indices: those that no surface blocks and a boundary does, and with
  * refraction the photons without a path across one flat boundary. Totally
  * reflected ones are counted separately. `reused` of the shadow rays were not
- * tested, because a row was known (murk_sight_row_from()). */
+ * tested, because a row was known (murk_sight_row_again()). */
 typedef struct murk_sight_work {
     uint64_t queries, shadow_rays, blocked_by_interfaces, totally_reflected,
         reused;

@@ -295,13 +295,21 @@ static void get_row(void *context, unsigned worker, size_t candidate,
 {
     const murk_sight_problem *p = context;
     const murk_pose *pose = &p->pose[candidate];
-    murk_known_row known;
-    if (p->known &&
-        p->known->get(p->known->context, worker, candidate, &known)) {
-        murk_sight_row_from(p->sight, worker, pose, &known, out);
-        return;
+    if (!p->known ||
+        !p->known->get(p->known->context, worker, candidate, out)) {
+        murk_sight_row(p->sight, worker, pose, out);
     }
-    murk_sight_row(p->sight, worker, pose, out);
+    if (p->tested) {
+        p->tested[candidate] = murk_sight_tested(p->sight, worker);
+    }
+}
+
+/* A murk_problem.get_differences. */
+static void get_differences(void *context, unsigned worker,
+                            murk_sparse_row *gone, murk_sparse_row *come)
+{
+    const murk_sight_problem *p = context;
+    p->known->get_differences(p->known->context, worker, gone, come);
 }
 
 static bool get_part(void *context, unsigned worker, size_t candidate,
@@ -335,17 +343,26 @@ void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
     out->sight = sight;
     out->pose = pose;
     out->known = NULL;
+    out->tested = NULL;
     out->problem = (murk_problem){.photons = sight->photons,
                                   .candidates = n,
                                   .weight = sight->weight,
                                   .get_row = get_row,
                                   .get_part = get_part,
+                                  .get_differences = get_differences,
                                   .rest = rest,
                                   .list_counters = list_counters,
                                   .context = out,
                                   .threads = sight->desc.threads,
                                   .combining = sight->desc.combining,
                                   .redundancy = sight->desc.redundancy};
+}
+
+void murk_sight_problem_know(murk_sight_problem *problem,
+                             const murk_known_rows *known)
+{
+    problem->known = known;
+    problem->problem.earlier_hash = known ? known->earlier_hash : NULL;
 }
 
 const uint32_t *murk_sight_weights(const murk_sight *sight)

@@ -10,6 +10,7 @@
 typedef struct murk_scratch {
     uint32_t *photon;  /* indices of photons */
     uint16_t *clarity; /* NULL if all entries are MURK_CLEAR */
+    uint32_t tested;   /* sightlines of the row */
 } murk_scratch;
 
 struct murk_sight {

@@ -5,6 +5,8 @@
  * the scratch buffers of the worker and to the counters of the sight only.
  * murk_sight_part() selects the needed photons of both maps first, and gives up
  * as soon as those that may still be visible add too little.
+ * murk_sight_row_again() tests those sightlines alone that differ from those of
+ * an earlier sight.
  * murk_sight_depths() computes the optical depths along sightlines with the
  * same routines, without rounding. */
 #include "sensing/across.h"
@@ -38,11 +40,9 @@ typedef struct row_search {
     uint32_t bands;  /* one bit for each band detected */
     murk_path_viewpoint viewpoint; /* of the sensor, in `space` */
     murk_across across;            /* only with sight->interfaces */
-    const murk_known_row *known;   /* NULL: no row is known */
-    murk_box_list changed;         /* those of `known` within range */
     uint32_t *photon;
     uint16_t *clarity;
-    size_t seen;
+    size_t seen, tested; /* photons seen, and sightlines tested */
     bool is_binary;
 } row_search;
 
@@ -145,57 +145,6 @@ static void add_seen(row_search *l, uint32_t photon, uint16_t clarity)
     l->photon[l->seen++] = photon;
 }
 
-/* The clarity of a photon from the known row, if the sightline is as it was. */
-static bool find_known(const row_search *l, uint32_t photon, murk_vec3 from,
-                       uint16_t *clarity)
-{
-    const uint32_t column = l->known->column[photon];
-    if (column == MURK_NO_COLUMN ||
-        murk_box_list_meet(&l->changed, from, murk_sub(l->sensor, from))) {
-        return false;
-    }
-    *clarity = l->known->clarity[column];
-    return true;
-}
-
-/* add_visible() with a known row: tests only those of n photons whose clarity
- * is not known. */
-static void add_known(row_search *l, const murk_photon *photon, uint32_t first,
-                      const uint32_t *number, const murk_vec3 *from, size_t n)
-{
-    murk_sight *sight = l->sight;
-    uint16_t clarity[BLOCK];
-    uint32_t tested[BLOCK]; /* [m] of the n photons */
-    murk_vec3 tested_from[BLOCK];
-    bool blocked[BLOCK];
-    size_t m = 0;
-    for (size_t i = 0; i < n; ++i) {
-        tested[m] = (uint32_t)i;
-        tested_from[m] = from[i];
-        m += !find_known(l, first + number[i], from[i], &clarity[i]);
-    }
-    /* The sightlines that are taken over count as tested. */
-    if (sight->desc.visibility != MURK_VISIBILITY_NORMAL) {
-        murk_tally_add(&sight->shadow_rays, (int64_t)(n - m));
-    }
-    murk_tally_add(&sight->reused, (int64_t)(n - m));
-    test_sightlines(l, tested_from, m, blocked);
-    for (size_t k = 0; k < m; ++k) {
-        const uint32_t i = tested[k];
-        clarity[i] = blocked[k]    ? 0
-                     : !l->clarity ? MURK_CLEAR
-                                   : clarity_of(l, &photon[number[i]],
-                                                number[i], from[i]);
-    }
-    for (size_t i = 0; i < n; ++i) {
-        if (clarity[i] > 0 && l->clarity) {
-            add_seen(l, first + number[i], clarity[i]);
-        } else if (clarity[i] > 0) {
-            l->photon[l->seen++] = first + number[i];
-        }
-    }
-}
-
 /* Adds those of n photons that are visible. number[n] are their indices in the
  * map, from[n] the photons' ends of the sightlines, and `first` is the number
  * of the map's first photon. The row is written over the indices that the query
@@ -205,10 +154,7 @@ static void add_visible(row_search *l, const murk_photon *photon,
                         const murk_vec3 *from, size_t n)
 {
     bool blocked[BLOCK];
-    if (l->known) {
-        add_known(l, photon, first, number, from, n);
-        return;
-    }
+    l->tested += n;
     test_sightlines(l, from, n, blocked);
     for (size_t i = 0; i < n; ++i) {
         if (blocked[i]) {
@@ -400,25 +346,14 @@ static row_search begin(murk_sight *sight, unsigned worker,
         .is_binary = true};
 }
 
-static murk_sparse_row found_row(const row_search *l)
+/* The row that was found; the scratch buffer of the worker notes the number of
+ * sightlines. */
+static murk_sparse_row found_row(const row_search *l, unsigned worker,
+                                 size_t tested)
 {
+    l->sight->worker[worker].tested = (uint32_t)tested;
     return (murk_sparse_row){l->seen, l->photon,
                              l->is_binary ? NULL : l->clarity};
-}
-
-/* The boxes that a sightline within range can meet. A photon is found up to the
- * range in single precision, and its sightline begins off the surface. */
-static murk_box_list within_range(const row_search *l)
-{
-    const murk_box_list *all = l->known->changed;
-    const double range_m = 1.001 * l->range_m;
-    murk_box_list near = {.are_all = all->are_all};
-    for (size_t i = 0; i < all->n; ++i) {
-        if (murk_box_distance(&all->box[i], l->sensor) <= range_m) {
-            near.box[near.n++] = all->box[i];
-        }
-    }
-    return near;
 }
 
 bool murk_sight_may_know(const murk_sight *sight)
@@ -427,22 +362,16 @@ bool murk_sight_may_know(const murk_sight *sight)
            !sight->desc.domain.is_periodic && !sight->desc.boundary_meshes;
 }
 
+uint32_t murk_sight_tested(const murk_sight *sight, unsigned worker)
+{
+    return sight->worker[worker].tested;
+}
+
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *out)
 {
-    murk_sight_row_from(sight, worker, pose, NULL, out);
-}
-
-void murk_sight_row_from(murk_sight *sight, unsigned worker,
-                         const murk_pose *pose, const murk_known_row *known,
-                         murk_sparse_row *out)
-{
     const murk_sight_desc *desc = &sight->desc;
     row_search l = begin(sight, worker, pose);
-    l.known = known;
-    if (known) {
-        l.changed = within_range(&l);
-    }
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     /* Search both maps; volume photons are numbered after surface photons. */
     if (sight->interfaces) {
@@ -459,7 +388,134 @@ void murk_sight_row_from(murk_sight *sight, unsigned worker,
     search_map(&l, desc->surface_map, 0);
     search_map(&l, desc->volume_map,
                (uint32_t)murk_photon_map_count(desc->surface_map));
-    *out = found_row(&l);
+    *out = found_row(&l, worker, l.tested);
+}
+
+/* ---- rows that change ---- */
+
+/* The boxes that a sightline within range can meet. A photon is found up to the
+ * range in single precision, and its sightline begins off the surface. */
+static murk_box_list within_range(const row_search *l, const murk_box_list *all)
+{
+    const double range_m = 1.001 * l->range_m;
+    murk_box_list near = {.are_all = all->are_all};
+    for (size_t i = 0; i < all->n; ++i) {
+        if (murk_box_distance(&all->box[i], l->sensor) <= range_m) {
+            near.box[near.n++] = all->box[i];
+        }
+    }
+    return near;
+}
+
+/* The part of a row that may differ from that of an earlier sight. */
+typedef struct row_changes {
+    const murk_sight_changes *of;
+    murk_box_list near;
+    uint64_t *tested; /* a bit for each photon */
+    size_t added;     /* sightlines of photons that were added */
+} row_changes;
+
+/* The photons of a map that may be a part of the change: those that were added,
+ * or all within range if sightlines may meet a changed place. The photons of
+ * the surface map come first. */
+static size_t find_changed(const row_search *l, const row_changes *c,
+                           const murk_photon_map *map, bool is_volume,
+                           uint32_t *found)
+{
+    const murk_sight_changes *of = c->of;
+    if (c->near.n > 0 || c->near.are_all) {
+        return murk_photons_nearby(map, &l->sight->desc.domain, l->sensor,
+                                   l->query_m, found);
+    }
+    const size_t first = is_volume ? of->added_surface : 0;
+    const size_t n =
+        murk_photons_within(of->added_photon + first,
+                            is_volume ? of->added_volume : of->added_surface,
+                            l->sensor, l->query_m, found);
+    for (size_t i = 0; i < n; ++i) {
+        found[i] = of->added[first + found[i]];
+    }
+    return n;
+}
+
+/* Tests the sightlines to the photons of a map that may differ. `first` is the
+ * number of the map's first photon. */
+static void search_changed(row_search *l, row_changes *c,
+                           const murk_photon_map *map, bool is_volume,
+                           uint32_t first)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    uint32_t *found = l->photon + l->seen;
+    const size_t n = find_changed(l, c, map, is_volume, found);
+    murk_vec3 from[BLOCK];
+    uint32_t number[BLOCK];
+    murk_side sides[MURK_SIDES] = {{0}};
+    size_t filled = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const uint32_t k = first + found[i];
+        const bool is_added = c->of->is_added[k / 64] >> (k % 64) & 1;
+        murk_vec3 at;
+        /* An entry may differ if the photon or the sightline does. */
+        if (!find_start(l, &photon[found[i]], l->sensor, sides, &at) ||
+            (!is_added &&
+             !murk_box_list_meet(&c->near, at, murk_sub(l->sensor, at)))) {
+            continue;
+        }
+        c->added += is_added;
+        c->tested[k / 64] |= UINT64_C(1) << (k % 64);
+        from[filled] = at;
+        number[filled++] = found[i];
+        if (filled == BLOCK) {
+            add_visible(l, photon, first, number, from, filled);
+            filled = 0;
+        }
+    }
+    add_visible(l, photon, first, number, from, filled);
+}
+
+/* The number of photons that are gone whose sightlines the earlier row had. */
+static size_t count_gone(const row_search *l, const murk_sight_changes *changes)
+{
+    const murk_photon *gone = changes->gone;
+    murk_side sides[MURK_SIDES] = {{0}};
+    uint32_t found[BLOCK];
+    size_t count = 0;
+    for (size_t first = 0; first < changes->gone_photons; first += BLOCK) {
+        const size_t left = changes->gone_photons - first;
+        const size_t n =
+            murk_photons_within(gone + first, left < BLOCK ? left : BLOCK,
+                                l->sensor, l->query_m, found);
+        for (size_t i = 0; i < n; ++i) {
+            murk_vec3 from;
+            count +=
+                find_start(l, &gone[first + found[i]], l->sensor, sides, &from);
+        }
+    }
+    return count;
+}
+
+void murk_sight_row_again(murk_sight *sight, unsigned worker,
+                          const murk_pose *pose,
+                          const murk_sight_changes *changes, uint32_t before,
+                          uint64_t *tested, murk_sparse_row *out)
+{
+    const murk_sight_desc *desc = &sight->desc;
+    row_search l = begin(sight, worker, pose);
+    row_changes c = {.of = changes, .tested = tested};
+    c.near = within_range(&l, &changes->changed);
+    l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
+    search_changed(&l, &c, desc->surface_map, false, 0);
+    search_changed(&l, &c, desc->volume_map, true,
+                   (uint32_t)murk_photon_map_count(desc->surface_map));
+    /* The sightlines of the row: those before, without those of photons that
+     * are gone, and with those of photons that came. */
+    const size_t all = before + c.added - count_gone(&l, changes),
+                 reused = all - l.tested;
+    if (desc->visibility != MURK_VISIBILITY_NORMAL) {
+        murk_tally_add(&sight->shadow_rays, (int64_t)reused);
+    }
+    murk_tally_add(&sight->reused, (int64_t)reused);
+    *out = found_row(&l, worker, all);
 }
 
 /* ---- parts of rows ---- */
@@ -560,7 +616,7 @@ bool murk_sight_part(murk_sight *sight, unsigned worker, const murk_pose *pose,
                       l.photon, surface, &max) &&
         test_selected(&l, volume_map, first, need->entry_max + first,
                       need->gain_min, selected, volume, &max);
-    *out = found_row(&l);
+    *out = found_row(&l, worker, l.tested);
     return is_complete;
 }
 

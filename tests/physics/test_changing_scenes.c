@@ -334,6 +334,63 @@ static bool same_rows(const murk_sparse_row *a, const uint32_t *photon,
     return are_same;
 }
 
+/* Puts an entry in the place of another; false if that one was not there. */
+static bool exchange(uint16_t *clarity, const murk_sparse_row *row, size_t k,
+                     bool is_gone)
+{
+    const uint16_t entry = row->clarity ? row->clarity[k] : MURK_CLEAR;
+    uint16_t *at = &clarity[row->photon[k]];
+    const bool was_there = *at == (is_gone ? entry : 0);
+    *at = is_gone ? 0 : entry;
+    return was_there;
+}
+
+/* True if the row of a candidate that known->get() has just given is the
+ * earlier row, without the entries that are told to be gone and with those that
+ * came, from which hashes of columns are computed. */
+static bool has_right_differences(const murk_earlier_rows *rows, size_t photons,
+                                  size_t candidate, const murk_sparse_row *row)
+{
+    const size_t slots = murk_matrix_slots(rows->matrix);
+    uint32_t *slot = calloc(slots + 1, sizeof *slot);
+    uint16_t *entry = calloc(slots + 1, sizeof *entry),
+             *by_slot = calloc(slots + 1, sizeof *by_slot),
+             *clarity = calloc(photons + 1, sizeof *clarity);
+    size_t n, seen = 0;
+    bool is_right = murk_matrix_list(slot, entry, &n, rows->matrix,
+                                     rows->candidate[candidate]);
+    for (size_t k = 0; k < n; ++k) {
+        by_slot[slot[k]] = entry[k];
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        if (rows->same[i] != UINT32_MAX) {
+            clarity[i] = by_slot[murk_matrix_slot(rows->matrix, rows->same[i])];
+        }
+    }
+    /* Exchange, and compare with the row. */
+    murk_sparse_row gone, come;
+    rows->known.get_differences(rows->known.context, 0, &gone, &come);
+    for (size_t k = 0; k < gone.seen; ++k) {
+        is_right = exchange(clarity, &gone, k, true) && is_right;
+    }
+    for (size_t k = 0; k < come.seen; ++k) {
+        is_right = exchange(clarity, &come, k, false) && is_right;
+    }
+    for (size_t k = 0; k < row->seen; ++k) {
+        is_right =
+            is_right && clarity[row->photon[k]] ==
+                            (row->clarity ? row->clarity[k] : MURK_CLEAR);
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        seen += clarity[i] > 0;
+    }
+    free(slot);
+    free(entry);
+    free(by_slot);
+    free(clarity);
+    return is_right && seen == row->seen;
+}
+
 /* The number of candidates whose row with the known entries differs from the
  * row that is computed. *counts_differ: whether the counts do. */
 static size_t count_different(const step *s, murk_sight *sight,
@@ -349,10 +406,6 @@ static size_t count_different(const step *s, murk_sight *sight,
     *counts_differ = false;
     for (size_t j = 0; j < poses->count; ++j) {
         murk_sparse_row row;
-        murk_known_row from;
-        if (!known->get(known->context, 0, j, &from)) {
-            continue;
-        }
         /* The row as it is computed, and as it is taken over in part. */
         rays[0] = murk_sight_work_of(sight).shadow_rays;
         murk_sight_row(sight, 0, &poses->pose[j], &row);
@@ -362,8 +415,11 @@ static size_t count_different(const step *s, murk_sight *sight,
         for (size_t k = 0; k < seen; ++k) {
             clarity[k] = row.clarity ? row.clarity[k] : MURK_CLEAR;
         }
-        murk_sight_row_from(sight, 0, &poses->pose[j], &from, &row);
+        if (!known->get(known->context, 0, j, &row)) {
+            continue;
+        }
         rays[2] = murk_sight_work_of(sight).shadow_rays;
+        CHECK(has_right_differences(known->context, photons, j, &row));
         different += !same_rows(&row, photon, clarity, seen);
         *counts_differ |= rays[2] - rays[1] != rays[1] - rays[0];
     }
@@ -377,15 +433,16 @@ static size_t count_different(const step *s, murk_sight *sight,
 static void leave_out_each(const step *s, murk_sight *sight,
                            murk_earlier_rows *rows)
 {
-    const murk_box_list all = rows->changed;
+    murk_box_list *changed = &rows->changes.changed;
+    const murk_box_list all = *changed;
     bool ignored;
     for (size_t i = 0; i < all.n; ++i) {
-        rows->changed = all;
-        rows->changed.box[i] = rows->changed.box[--rows->changed.n];
+        *changed = all;
+        changed->box[i] = changed->box[--changed->n];
         ++total.left_out;
         total.missed += count_different(s, sight, &rows->known, &ignored) == 0;
     }
-    rows->changed = all;
+    *changed = all;
 }
 
 static void check_rows(const step *s, const murk_earlier_plan *earlier,
@@ -409,7 +466,7 @@ static void check_rows(const step *s, const murk_earlier_plan *earlier,
         ++total.taken;
         total.photons += murk_sight_photons(sight);
         for (size_t i = 0; i < murk_sight_photons(sight); ++i) {
-            total.photons_new += rows.column[i] == MURK_NO_COLUMN;
+            total.photons_new += rows.same[i] == UINT32_MAX;
         }
         const uint64_t sightlines =
                            (after.shadow_rays - before.shadow_rays) / 2,
@@ -469,7 +526,8 @@ static void run_sequence(uint32_t sequence)
     for (uint32_t i = 1; i <= STEPS; ++i) {
         step next;
         const murk_earlier_plan earlier = {last.stage, last.traced,
-                                           last.plan.poses, &last.plan.matrix};
+                                           last.plan.poses, last.plan.tested,
+                                           &last.plan.matrix};
         size_t before[KEYS];
         memcpy(before, choice, sizeof before);
         change(choice, sequence, i);

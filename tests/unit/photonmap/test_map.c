@@ -69,6 +69,11 @@ static size_t compare_within(const murk_photon_map *map, murk_vec3 center,
     const bool same = n == wanted && memcmp(found, want, n * sizeof *want) == 0;
     CHECK(same);
     CHECK(murk_photon_map_count_within(map, center, radius_m) == wanted);
+    /* The records of the map as a list. */
+    CHECK(murk_photons_within(murk_photon_map_photons(map),
+                              murk_photon_map_count(map), center, radius_m,
+                              found) == wanted &&
+          memcmp(found, want, wanted * sizeof *want) == 0);
     return n;
 }
 
@@ -141,11 +146,14 @@ static void test_odd_queries_find_nothing(void)
         CHECK(murk_photon_map_within(map, off, INFINITY, found) == 0);
         CHECK(murk_photon_map_nearest(map, off, 3, found, distance2) == 0);
     }
+    /* Odd radii. */
     CHECK(murk_photon_map_within(map, middle, NAN, found) == 0);
     CHECK(murk_photon_map_within(map, middle, -1, found) == 0);
     CHECK(murk_photon_map_count_within(map, middle, -INFINITY) == 0);
     CHECK(murk_photon_map_within(map, middle, INFINITY, found) == 500);
     CHECK(murk_photon_map_within(map, middle, 1e300, found) == 500);
+    CHECK(murk_photons_within(photons, 500, middle, 1e300, found) == 500);
+    CHECK(murk_photons_within(photons, 500, middle, NAN, found) == 0);
     CHECK(murk_photon_map_within(map, murk_vec(1e38, 0, 0), 1, found) == 0);
     CHECK(murk_photon_map_within(map, murk_vec(1e300, 0, 0), 1, found) == 0);
     murk_photon_map_destroy(map);

@@ -88,7 +88,7 @@ static void test_prints_are_checked(void)
                            &err) == MURK_OK);
     _Atomic uint64_t *hash = calloc(m->problem.photons, sizeof *hash);
     CHECK(murk_merge(&matrix->layout, matrix->row, matrix->space, false,
-                     &m->problem, hash, true, NULL, &err) == MURK_OK);
+                     &m->problem, hash, false, true, NULL, &err) == MURK_OK);
     CHECK(matrix->layout.photons == m->problem.photons);
     murk_matrix_destroy(matrix);
     made_up_destroy(m);
@@ -128,28 +128,131 @@ static void test_rows_by_slot(void)
                                merging ? MURK_MERGE_ALWAYS : MURK_MERGE_NEVER,
                                &err) == MURK_OK);
         CHECK(!merging || matrix->layout.photons < problem.photons);
-        uint16_t *clarity =
-            malloc(murk_matrix_slots(matrix) * sizeof *clarity + 1);
-        CHECK(clarity);
+        const size_t slots = murk_matrix_slots(matrix);
+        uint16_t *entry = malloc(slots * sizeof *entry + 1),
+                 *clarity = malloc(slots * sizeof *clarity + 1);
+        uint32_t *slot = malloc(slots * sizeof *slot + 1);
+        CHECK(entry && clarity && slot);
         /* Each clarity against that of the problem. */
-        size_t different = 0;
+        size_t different = 0, n;
         for (size_t j = 0; clarity && j < problem.candidates; ++j) {
-            CHECK(murk_matrix_spread(clarity, matrix, j));
+            CHECK(murk_matrix_list(slot, entry, &n, matrix, j));
+            memset(clarity, 0, slots * sizeof *clarity);
+            for (size_t k = 0; k < n; ++k) {
+                clarity[slot[k]] = entry[k];
+            }
             for (uint32_t i = 0; i < problem.photons; ++i) {
                 different += clarity[murk_matrix_slot(matrix, i)] !=
                              m->clarity[j * problem.photons + i];
             }
         }
         CHECK(different == 0);
+        free(slot);
+        free(entry);
         free(clarity);
         murk_matrix_destroy(matrix);
     }
     made_up_destroy(m);
 }
 
+/* A problem whose clarities have changed, and what each row was before. The
+ * differences are those of the row that a worker got last. */
+enum { WORKERS = 8, CHANGED_MAX = 64 };
+
+typedef struct changed_problem {
+    const made_up *m;
+    const uint16_t *before; /* as m->clarity */
+    size_t candidate[WORKERS];
+    uint32_t photon[WORKERS][2][CHANGED_MAX];
+    uint16_t clarity[WORKERS][2][CHANGED_MAX];
+} changed_problem;
+
+static void changed_row(void *context, unsigned worker, size_t candidate,
+                        murk_sparse_row *row)
+{
+    changed_problem *c = context;
+    const murk_problem *of = &c->m->problem;
+    c->candidate[worker] = candidate;
+    of->get_row(of->context, worker, candidate, row);
+}
+
+static void changed_entries(void *context, unsigned worker,
+                            murk_sparse_row *gone, murk_sparse_row *come)
+{
+    changed_problem *c = context;
+    const size_t photons = c->m->problem.photons,
+                 first = c->candidate[worker] * photons;
+    const uint16_t *of[] = {c->before + first, c->m->clarity + first};
+    murk_sparse_row *out[] = {gone, come};
+    for (int k = 0; k < 2; ++k) {
+        *out[k] =
+            (murk_sparse_row){0, c->photon[worker][k], c->clarity[worker][k]};
+        for (uint32_t i = 0; i < photons; ++i) {
+            if (of[0][i] != of[1][i] && of[k][i] > 0) {
+                CHECK(out[k]->seen < CHANGED_MAX);
+                c->photon[worker][k][out[k]->seen] = i;
+                c->clarity[worker][k][out[k]->seen++] = of[k][i];
+            }
+        }
+    }
+}
+
+/* The hashes of a matrix, computed from those of an earlier one by the entries
+ * that differ, are those that are computed from all entries. */
+static void test_hashes_of_differences(void)
+{
+    made_up *m = make_alike(4, 3, 1);
+    const size_t photons = m->problem.photons,
+                 n = photons * m->problem.candidates;
+    uint16_t *before = malloc(n * sizeof *before);
+    uint64_t *hash = calloc(photons, sizeof *hash);
+    murk_matrix *matrix[3] = {NULL};
+    murk_error err = {0};
+    m->problem.has_columns = true;
+    CHECK(before && hash && m->problem.threads <= WORKERS);
+    CHECK(murk_matrix_make(&matrix[0], &m->problem, UINT64_MAX,
+                           MURK_MERGE_ALWAYS, &err) == MURK_OK);
+    /* One photon more is seen or one less in each row, or otherwise. */
+    memcpy(before, m->clarity, n * sizeof *before);
+    for (size_t j = 0; j < m->problem.candidates; ++j) {
+        uint16_t *at = &m->clarity[j * photons + 37 * j];
+        *at = j % 3 == 0 ? 0 : (uint16_t)(*at / 2 + 1);
+    }
+    CHECK(murk_matrix_make(&matrix[1], &m->problem, UINT64_MAX,
+                           MURK_MERGE_ALWAYS, &err) == MURK_OK);
+    changed_problem *changed = calloc(1, sizeof *changed);
+    murk_problem problem = m->problem;
+    *changed = (changed_problem){.m = m, .before = before};
+    problem.get_row = changed_row;
+    problem.get_differences = changed_entries;
+    problem.context = changed;
+    problem.earlier_hash = hash;
+    for (size_t i = 0; i < photons; ++i) {
+        hash[i] = murk_matrix_hashes(matrix[0])[i];
+    }
+    CHECK(murk_matrix_make(&matrix[2], &problem, UINT64_MAX, MURK_MERGE_ALWAYS,
+                           &err) == MURK_OK);
+    size_t different = 0, changes = 0;
+    for (size_t i = 0; i < photons; ++i) {
+        const uint64_t all = murk_matrix_hashes(matrix[1])[i];
+        different += murk_matrix_hashes(matrix[2])[i] != all;
+        changes += hash[i] != all;
+    }
+    CHECK(different == 0);
+    CHECK(changes > m->problem.candidates / 2);
+    for (int k = 0; k < 3; ++k) {
+        murk_matrix_destroy(matrix[k]);
+    }
+    free(changed);
+    free(hash);
+    free(before);
+    made_up_destroy(m);
+}
+
 int main(void)
 {
     /* Merging itself. */
+    test_hashes_of_differences();
     test_as_few_stay_as_possible();
     /* Plans with and without merging, for each mode of combining views. */
     static const struct {
