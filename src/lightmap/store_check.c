@@ -5,23 +5,24 @@
  * channel, and the channel of each photon (source/sources.h). Energy is
  * conserved exactly in quanta (base/tally.h), so absorbed, escaped and lost
  * quanta must add up to the emitted quanta. Other values are bounded: a record
- * lies in the domain, its directions exist, its power is at most that of a
- * packet. */
+ * lies in the domain, or beyond it by the margin within which surfaces count as
+ * lying in a side of the domain (path/path.h), its directions exist, its power
+ * is at most that of a packet. */
 #include "lightmap/store_check.h"
 
 #include <float.h>
 #include <stdlib.h>
+
+#include "path/path.h"
 
 /* Relative. Machines may round the sums and quotients of a few doubles
  * differently. */
 #define PACKET_TOLERANCE 1e-9
 /* Relative. The power of a record is rounded to float. */
 #define POWER_TOLERANCE (2.0 * FLT_EPSILON)
-/* Positions of records are rounded to float, and a record on a side of the
- * domain may lie beyond it by the step that rays take off a surface, 8 float
- * steps (FLT_EPSILON) of the largest coordinate (murk_surfaces_leave()). Twice
- * that step is allowed. */
-#define PLACE_TOLERANCE (16.0 * FLT_EPSILON)
+/* Positions of records are rounded to float, by half of this share of the
+ * largest coordinate. */
+#define PLACE_TOLERANCE (1.0 * FLT_EPSILON)
 
 static murk_status impossible(const char *path, const char *section,
                               const char *what, murk_error *err)
@@ -172,9 +173,13 @@ murk_status murk_lightmap_check_records(const murk_photon *photon, size_t n,
                                         const murk_stage *stage,
                                         const char *path, murk_error *err)
 {
-    /* The domain, grown on all sides by the tolerance of positions. */
+    /* The box in which the tracer finds surfaces, which is larger than the
+     * domain by a margin, grown on all sides by the step that a ray takes off a
+     * surface and by the rounding of positions. */
     murk_box within = stage->world.domain.box;
-    const double slack = PLACE_TOLERANCE * murk_box_largest_coordinate(&within);
+    const double slack = murk_path_margin_m(&stage->world.domain) +
+                         murk_surfaces_leave_step_m(stage->surfaces) +
+                         PLACE_TOLERANCE * murk_box_largest_coordinate(&within);
     const murk_vec3 wider = murk_vec(slack, slack, slack);
     within.min = murk_sub(within.min, wider);
     within.max = murk_add(within.max, wider);

@@ -35,14 +35,18 @@
 
 /* ---- the space ---- */
 
+double murk_path_margin_m(const murk_domain *domain)
+{
+    return GROWN_BY * murk_box_largest_coordinate(&domain->box);
+}
+
 murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
                                    const murk_media *media,
                                    const murk_boundary_meshes *boundary_meshes,
                                    const murk_domain *domain)
 {
     /* The domain, and a slightly larger box for surfaces. */
-    const double margin_m =
-        GROWN_BY * murk_box_largest_coordinate(&domain->box);
+    const double margin_m = murk_path_margin_m(domain);
     murk_path_space space = {
         .surfaces = surfaces,
         .media = media,

@@ -40,6 +40,10 @@ typedef struct murk_path_space {
     bool any_boundaries; /* some region has an index or is a mesh */
 } murk_path_space;
 
+/* Surfaces that lie outside of the domain by at most this length [m] count as
+ * lying in a side of the domain. */
+double murk_path_margin_m(const murk_domain *domain);
+
 murk_path_space murk_path_space_of(const murk_surfaces *surfaces,
                                    const murk_media *media,
                                    const murk_boundary_meshes *boundary_meshes,

@@ -166,6 +166,42 @@ static void test_noise(const murk_section *sections, size_t n,
     CHECK(taken < 100);
 }
 
+/* A wall beyond the side of the domain by less than the margin within which
+ * surfaces count as lying in the side is met, so the light of its photons is
+ * light that a run has written. A wall beyond the margin is not met. */
+static void test_walls_beyond_the_domain(void)
+{
+    static const struct {
+        double x_m;
+        bool is_met;
+    } walls[] = {{10, true}, {10.00002, true}, {10.000038, true}, {12, false}};
+    /* Trace light in a box whose wall lies there, and read the light again. */
+    for (size_t i = 0; i < sizeof walls / sizeof *walls; ++i) {
+        char text[500], wall[32];
+        snprintf(wall, sizeof wall, "%.9g", walls[i].x_m);
+        snprintf(text, sizeof text,
+                 "murk: 1\n"
+                 "domain: {min_m: [0, 0, 0], max_m: [10, 10, 5]}\n"
+                 "geometry: [{box: {min_m: [-2, -2, -2], max_m: [%s, 12, 7]}}]"
+                 "\nlights: [{type: point, position_m: [5, 5, 4], power_w: 1}]"
+                 "\nphotons: {emit: 500}\n",
+                 wall);
+        murk_stage *stage = stage_text_create(text, NULL);
+        murk_traced *traced = NULL, *again = NULL;
+        murk_error err = {0};
+        CHECK(stage && !murk_lightmap_trace(&traced, stage, 0, 1, NULL));
+        if (traced && !murk_lightmap_save(traced, stage, path, NULL)) {
+            CHECK((murk_photon_map_count(traced->surface) > 0) ==
+                  walls[i].is_met);
+            CHECK(murk_lightmap_load(&again, stage, path, 1, &err) == MURK_OK);
+            CHECK_TEXT(err.text, "");
+        }
+        murk_traced_destroy(again);
+        murk_traced_destroy(traced);
+        stage_text_destroy(stage);
+    }
+}
+
 int main(void)
 {
     snprintf(path, sizeof path, "test_forged.tmp.%ld", (long)getpid());
@@ -183,6 +219,7 @@ int main(void)
     murk_map_file_release(sections, n);
     murk_traced_destroy(traced);
     stage_text_destroy(stage);
+    test_walls_beyond_the_domain();
     remove(path);
     return check_done();
 }
