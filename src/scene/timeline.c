@@ -446,6 +446,28 @@ static murk_status choose_files(changes *c, const murk_scene_track *track)
 
 /* ---- keys and sensors ---- */
 
+/* Refuses keyframes with lists of light sources of different lengths: photons
+ * are dealt to the same light sources at all times. */
+static murk_status check_lights(const changes *c, const murk_scene_track *track)
+{
+    const size_t number = (size_t)(track - c->timeline->track);
+    const murk_yaml *frames =
+        murk_yaml_get(c->tracks->child[number], "keyframes");
+    const murk_yaml *first = murk_yaml_get(frames->child[0], "value");
+    for (size_t i = 1; i < frames->n; ++i) {
+        const murk_yaml *value = murk_yaml_get(frames->child[i], "value");
+        if (first && value && first->n != value->n) {
+            return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                             "key: lights has %zu items at %g s and %zu at %g "
+                             "s, must have as many at all times; a light that "
+                             "is off has power_w 0",
+                             first->n, track->keyframe[0].t_s, value->n,
+                             track->keyframe[i].t_s);
+        }
+    }
+    return MURK_OK;
+}
+
 static murk_status set_key(changes *c, const murk_scene_track *track)
 {
     const murk_key *key = murk_scene_keys.key;
@@ -455,10 +477,13 @@ static murk_status set_key(changes *c, const murk_scene_track *track)
     const bool is_goal = strcmp(track->key, "sensors.count") == 0 ||
                          strcmp(track->key, "sensors.target") == 0 ||
                          strcmp(track->key, "sensors.budget") == 0;
-    return key->name && key->is_still && !is_goal
-               ? murk_fail(c->err, MURK_BAD_VALUE, track->where,
-                           "key: %s must be the same at all times", track->key)
-               : put_member(c, track, "value", track->key);
+    if (key->name && key->is_still && !is_goal) {
+        return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                         "key: %s must be the same at all times", track->key);
+    }
+    const murk_status status =
+        strcmp(track->key, "lights") == 0 ? check_lights(c, track) : MURK_OK;
+    return status ? status : put_member(c, track, "value", track->key);
 }
 
 /* Says of a fixed sensor whether it has failed by now. */

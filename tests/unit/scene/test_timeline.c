@@ -388,6 +388,12 @@ static void test_refusals(void)
                 "}"),
          VALUE, "fog.yaml:3:111: timeline.tracks.1",
          "sets lights.0, which an earlier track sets, too"},
+        {TRACKS("{key: lights, keyframes: [{t_s: 0, value: [{type: point, "
+                "position_m: [1, 1, 1], power_w: 1}]}, {t_s: 1, value: []}]}"),
+         VALUE, TRACK_0,
+         "key: lights has 1 items at 0 s and 0 at 1 s, must have as many at "
+         "all "
+         "times; a light that is off has power_w 0"},
         {TRACKS("{key: lights.0.power_w, keyframes: [{t_s: 0, value: -1}]}"),
          VALUE, "fog.yaml:3:105: lights.0.power_w", "-1, must be 0..1e15 W"},
     };
