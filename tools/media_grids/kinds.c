@@ -1,7 +1,7 @@
 #include "kinds.h"
 
 const media_kind *const kinds[] = {&kind_fog_bank, &kind_rain_shafts,
-                                   &kind_plume, &kind_chlorophyll};
+                                   &kind_plume, &kind_chlorophyll, &kind_smoke};
 const size_t kinds_count = sizeof kinds / sizeof *kinds;
 
 murk_vec3 kind_first_middle(const media_kind *kind, const media_frame *frame)

@@ -14,7 +14,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define KIND_WORDS_MAX 12
+#define KIND_WORDS_MAX 16
 
 /* A number that a user may give as NAME=VALUE. */
 typedef struct media_word {
@@ -46,7 +46,7 @@ extern const media_kind *const kinds[];
 extern const size_t kinds_count;
 
 extern const media_kind kind_fog_bank, kind_rain_shafts, kind_plume,
-    kind_chlorophyll;
+    kind_chlorophyll, kind_smoke;
 
 /* The middle of voxel (0, 0, 0). */
 murk_vec3 kind_first_middle(const media_kind *kind, const media_frame *frame);

@@ -165,7 +165,7 @@ static murk_status read_settings(settings *w, int argc, char **argv,
     *w = (settings){.kind = kind_named(argv[1]), .step_s = 1};
     if (!w->kind) {
         return refuse(err, "make_media", argv[1],
-                      "fog-bank, rain-shafts, plume or chlorophyll");
+                      "fog-bank, rain-shafts, plume, chlorophyll or smoke");
     }
     memcpy(w->frame.size, w->kind->size, sizeof w->frame.size);
     w->frame.voxel_m = w->kind->voxel_m;
