@@ -35,6 +35,8 @@ static bool is_drawn(const murk_results_in *results, const char *name)
            (strcmp(name, "table.csv") == 0 &&
             results->json[MURK_RESULT_STUDY]) ||
            (strcmp(name, "fit.csv") == 0 && results->json[MURK_RESULT_FIT]) ||
+           (strcmp(name, "moves.csv") == 0 &&
+            results->json[MURK_RESULT_FOLLOW]) ||
            (strcmp(name, "repeat.csv") == 0 &&
             isfinite(murk_result_number(plan, "repeat.runs")));
 }

@@ -85,7 +85,11 @@ static void write_resolved(FILE *to, const murk_results_in *results)
           "command line set, and files by their whole paths.</p>\n"
           "<pre tabindex=\"0\">murk ",
           to);
-    fputs(plan ? "place " : seen ? "sense " : "trace ", to);
+    fputs(plan                                ? "place "
+          : seen                              ? "sense "
+          : results->json[MURK_RESULT_FOLLOW] ? "follow "
+                                              : "trace ",
+          to);
     write_file_of(to, results, murk_results_scene(results->folder));
     if (isfinite(repeats)) {
         fprintf(to, " --repeat %.0f", repeats);

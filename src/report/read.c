@@ -1,5 +1,6 @@
-/* What the view shows of studies, fits and explorations: the sensors of each
- * row of a study, the readings of fit.csv, and the stops of path.ply. */
+/* What the view shows of studies, timelines, fits and explorations: the sensors
+ * of each row of a study and of each step of a timeline, the readings of
+ * fit.csv, and the stops of path.ply. */
 #include "report/scene.h"
 
 #include "base/file.h"
@@ -117,6 +118,74 @@ murk_status murk_report_read_study(murk_report_scene *out,
         snprintf(out->state[first].name, sizeof out->state->name,
                  "the plan of every row");
     }
+    return status;
+}
+
+/* ---- steps of a timeline ---- */
+
+/* Adds a state with the sensors, the scene and the folder of a step. A step
+ * whose plan cannot be read, such as one that failed, has no state. */
+static murk_status add_step(murk_report_scene *out, const char *folder,
+                            const murk_yaml *row, murk_error *err)
+{
+    murk_shown_state *state = &out->state[out->states];
+    const double number = murk_result_number(row, "step");
+    const char *failed = murk_result_text(row, "failed");
+    char name[64];
+    murk_yaml *plan = NULL;
+    murk_error why = {0};
+    murk_status status = MURK_OK;
+    if (!(number >= 0 && number <= 1e6) || (failed && *failed)) {
+        return MURK_OK;
+    }
+    snprintf(name, sizeof name, "steps/%04.0f", number);
+    state->folder = murk_path_join(folder, name);
+    char *path =
+        state->folder ? murk_results_path(state->folder, "plan.json") : NULL;
+    if (path && !murk_yaml_read(&plan, path, &why)) {
+        status = murk_report_read_sensors(&state->sensor, &state->sensors,
+                                          out->scene,
+                                          murk_result_at(plan, "sensors"), err);
+    }
+    free(path);
+    /* The names of types belong to the JSON: take those of the scene. */
+    for (size_t i = 0; !status && i < state->sensors; ++i) {
+        murk_shown_sensor *sensor = &state->sensor[i];
+        sensor->type = sensor->of ? sensor->of->name : "";
+    }
+    /* The scene, for its media. */
+    path = plan ? murk_results_path(state->folder,
+                                    murk_results_scene(state->folder))
+                : NULL;
+    if (path) {
+        (void)murk_scene_desc_read(&state->scene, path, NULL, 0, &why);
+    }
+    free(path);
+    if (plan) {
+        snprintf(state->name, sizeof state->name, "step %.0f: %.6g s", number,
+                 murk_result_number(row, "t_s"));
+        ++out->states;
+    } else {
+        free(state->folder);
+        state->folder = NULL;
+    }
+    murk_yaml_destroy(plan);
+    return status;
+}
+
+murk_status murk_report_read_follow(murk_report_scene *out, const char *folder,
+                                    const murk_yaml *follow, murk_error *err)
+{
+    const murk_yaml *rows = murk_result_at(follow, "steps");
+    const size_t n = murk_result_count(follow, "steps");
+    const size_t max = MURK_SHOWN_STATES_MAX;
+    const size_t shown = n < max ? n : max;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < shown && !status; ++i) {
+        const size_t step = shown > 1 ? i * (n - 1) / (shown - 1) : 0;
+        status = add_step(out, folder, rows->child[step], err);
+    }
+    out->states_asked = n;
     return status;
 }
 

@@ -18,6 +18,7 @@ typedef enum murk_result_file {
     MURK_RESULT_COVERAGE, /* coverage.json, of sense */
     MURK_RESULT_STUDY,    /* study.json */
     MURK_RESULT_FIT,      /* fit.json */
+    MURK_RESULT_FOLLOW,   /* follow.json */
     MURK_RESULT_LEDGER,   /* ledger.json, of trace and other commands that trace
                              light */
     MURK_RESULT_FILES

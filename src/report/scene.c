@@ -159,6 +159,10 @@ static void read_photons(murk_report_scene *out, const char *folder,
         }
     } else if (has_plan || is_sensed) {
         read_points(out, 0, folder, has_plan ? "plan.ply" : "coverage.ply");
+    } else if (out->is_follow) {
+        for (size_t i = 0; i < out->states && out->state[i].folder; ++i) {
+            read_points(out, i, out->state[i].folder, "plan.ply");
+        }
     } else if (results->json[MURK_RESULT_LEDGER]) {
         read_points(out, 0, folder, "light.murk");
     }
@@ -188,6 +192,7 @@ static murk_status read_all(murk_report_scene *out,
     const murk_yaml *made = results->json[MURK_RESULT_PLAN];
     const murk_yaml *plan = made ? made : results->json[MURK_RESULT_COVERAGE];
     const murk_yaml *study = results->json[MURK_RESULT_STUDY];
+    const murk_yaml *follow = results->json[MURK_RESULT_FOLLOW];
     murk_status status = MURK_OK;
     /* the scene first, because its origin and sensor types are needed below */
     out->scene = results->scene;
@@ -203,6 +208,9 @@ static murk_status read_all(murk_report_scene *out,
     } else if (study) {
         out->is_study = true;
         status = murk_report_read_study(out, study, err);
+    } else if (follow) {
+        out->is_follow = true;
+        status = murk_report_read_follow(out, results->folder, follow, err);
     }
     out->states = out->states > 0 ? out->states : 1;
     if (!status && results->json[MURK_RESULT_FIT]) {
@@ -238,6 +246,8 @@ void murk_report_scene_release(murk_report_scene *scene)
         murk_fillings_destroy(scene->state[i].fillings);
         murk_plan_points_release(&scene->state[i].points);
         free(scene->state[i].sensor);
+        free(scene->state[i].folder);
+        murk_scene_desc_destroy(scene->state[i].scene);
     }
     murk_stage_destroy(scene->stage);
     free(scene->stop);

@@ -19,8 +19,8 @@ typedef struct murk_shown_sensor {
     double covers, only;              /* NaN: not known */
 } murk_shown_sensor;
 
-/* The page shows one state at a time: a condition of a plan, or a plan or row
- * of a study. */
+/* The page shows one state at a time: a condition of a plan, a plan or row of a
+ * study, or a step of a timeline. */
 #define MURK_SHOWN_STATES_MAX 32
 typedef struct murk_shown_state {
     char name[160]; /* empty: it is the only state */
@@ -30,6 +30,8 @@ typedef struct murk_shown_state {
     murk_phases *phases;       /* used by media */
     murk_shown_sensor *sensor; /* [sensors] */
     size_t sensors;
+    char *folder;           /* of the results of a step; NULL: no step */
+    murk_scene_desc *scene; /* of a step; NULL: no step, or not known */
 } murk_shown_state;
 
 /* A row of fit.csv that has a place. Rows beyond the limit are not shown. */
@@ -47,6 +49,7 @@ typedef struct murk_report_scene {
     size_t states, states_asked;
     bool is_study;   /* the states are plans and rows of a study; the scene is
                         its base */
+    bool is_follow;  /* the states are steps; the scene is that of the first */
     murk_vec3 *stop; /* [stops]; of the path */
     size_t stops;
     murk_table *fit;             /* fit.csv; NULL: not there */
@@ -59,10 +62,10 @@ typedef struct murk_report_scene {
 #define MURK_REPORT_PHOTONS_MAX 100000
 
 /* Reads the photons of the folder (from plan.ply, plan-NAME.ply of conditions,
- * coverage.ply or light.murk), sensors, path.ply and fit.csv, and builds the
- * world of the scene. If something cannot be read, the note says so, and the
- * page is made without it. Fails with MURK_NO_MEMORY. Release *out in any case;
- * it borrows from the results. */
+ * plan.ply of steps, coverage.ply or light.murk), sensors, path.ply and
+ * fit.csv, and builds the world of the scene. If something cannot be read, the
+ * note says so, and the page is made without it. Fails with MURK_NO_MEMORY.
+ * Release *out in any case; it borrows from the results. */
 murk_status murk_report_scene_read(murk_report_scene *out,
                                    const murk_results_in *results,
                                    murk_error *err);
@@ -72,15 +75,19 @@ void murk_report_scene_release(murk_report_scene *scene);
 void murk_report_scene_note(murk_report_scene *scene, const char *what,
                             const murk_error *why);
 
-/* Builds the world of the scene, and the media of states that are conditions
- * with other media. If that fails, the stage is NULL and the note says why. */
+/* Builds the world of the scene, and the media of states that are conditions or
+ * steps with other media. If that fails, the stage is NULL and the note says
+ * why. */
 void murk_report_build(murk_report_scene *scene);
 
-/* Parts of murk_report_scene_read(): they read the states of a study, the
+/* Parts of murk_report_scene_read(): they read the states of a study, the steps
+ * of a timeline, of which it chooses some evenly if there are too many, the
  * readings of fit.csv, and the stops of path.ply. They fail with MURK_NO_MEMORY
  * only; if a file cannot be read, the note says so. */
 murk_status murk_report_read_study(murk_report_scene *out,
                                    const murk_yaml *study, murk_error *err);
+murk_status murk_report_read_follow(murk_report_scene *out, const char *folder,
+                                    const murk_yaml *follow, murk_error *err);
 murk_status murk_report_read_fit(murk_report_scene *out, const char *folder,
                                  murk_error *err);
 murk_status murk_report_read_path(murk_report_scene *out, const char *folder,

@@ -139,6 +139,15 @@ static void explain(FILE *to, const murk_results_in *results)
                     "cannot be seen from anywhere that was allowed."},
         {"it covers, only it covers",
          "What a sensor sees, and what would be lost without it."}};
+    static const word of_steps[] = {
+        {"step",
+         "A time at which the scene is looked at. The search for a plan "
+         "begins at the plan of the step before, so that sensors stay "
+         "unless another place is better; with the method greedy each "
+         "step begins anew."},
+        {"taken over", "Photons and sightlines of the step before that nothing "
+                       "in the scene has changed. They are not computed again; "
+                       "the results are the same as if they were."}};
     static const word of_fits[] = {
         {"residual", "Measured less predicted, in standard errors of the "
                      "reading. One in twenty is beyond ±1.96 by chance."},
@@ -153,12 +162,16 @@ static void explain(FILE *to, const murk_results_in *results)
     const bool has_plan =
         results->json[MURK_RESULT_PLAN] || results->json[MURK_RESULT_COVERAGE];
     const bool has_study = results->json[MURK_RESULT_STUDY] != NULL;
+    const bool has_steps = results->json[MURK_RESULT_FOLLOW] != NULL;
     fputs("<details><summary>Words on this page</summary>\n<dl "
           "class=\"facts\">\n",
           to);
     write_words(to, of_all, sizeof of_all / sizeof *of_all);
-    if (has_plan || has_study) {
+    if (has_plan || has_study || has_steps) {
         write_words(to, of_plans, sizeof of_plans / sizeof *of_plans);
+    }
+    if (has_steps) {
+        write_words(to, of_steps, sizeof of_steps / sizeof *of_steps);
     }
     if (results->json[MURK_RESULT_FIT]) {
         write_words(to, of_fits, sizeof of_fits / sizeof *of_fits);

@@ -218,6 +218,7 @@ static void add_facts(murk_data *root, const murk_report_scene *s)
     murk_data_bool(root, "targets",
                    s->scene && s->scene->placement.targets.given);
     murk_data_bool(root, "study", s->is_study);
+    murk_data_bool(root, "follow", s->is_follow);
     murk_data_number(root, "states_asked", (double)s->states_asked);
     murk_data_bool(root, "periodic",
                    s->stage && s->stage->world.domain.is_periodic);

@@ -1,5 +1,5 @@
 /* The world that the view shows: surfaces and media of the scene, and the media
- * of conditions. */
+ * of conditions and steps. */
 #include "report/scene.h"
 #include "world/stage_build.h"
 
@@ -33,15 +33,16 @@ static const murk_scene_desc *condition_of(const murk_scene_desc *scene,
     return NULL;
 }
 
-/* The scene of the condition that a state stands for, if its media have to be
- * built. NULL if the state is no condition, or if the condition has the same
- * world as the scene. Also NULL if the media of the condition cannot be built
- * with the boundary meshes of the scene; the media of the scene are then shown
- * instead. */
+/* The scene of the condition or step that a state stands for, if its media have
+ * to be built. NULL if the state is neither, or if it has the same world as the
+ * scene. Also NULL if its media cannot be built with the boundary meshes of the
+ * scene; the media of the scene are then shown instead. */
 static const murk_scene_desc *other_media(const murk_report_scene *s,
                                           size_t state)
 {
-    const murk_scene_desc *of = condition_of(s->scene, s->state[state].name);
+    const murk_shown_state *shown = &s->state[state];
+    const murk_scene_desc *of =
+        shown->scene ? shown->scene : condition_of(s->scene, shown->name);
     return of && strcmp(of->world_key, s->scene->world_key) != 0 &&
                    has_same_meshes(of, s->scene)
                ? of

@@ -138,13 +138,24 @@ def make_folders(murk, folder):
             ["place", "--matrix", "cover.csv", "--count", "2", "-o", "matrix"],
             ["trace", "scene.yaml", "-o", "trace"],
             ["study", "study.yaml", "-o", "study"],
+            ["follow", "scene.yaml", "--set", "timeline={times_s: [0, 1, 2], tracks: [{key: lights.0.power_w, keyframes: "
+             "[{t_s: 0, value: 1}, {t_s: 2, value: 3}]}]}", "-o", "follow"],
             ["fit", "scene.yaml", "--data", "data.csv", "--traces", "1", "--free",
              "lights.0.power_w,media.fog.albedo", "-o", "fit"]):
         done = subprocess.run([murk, *arguments, "--quiet"], cwd=folder, text=True,
                               capture_output=True, check=False)
         check(done.returncode == 0, arguments, done.stderr)
     shutil.rmtree(os.path.join(folder, "study", "rows"), ignore_errors=True)
-    return "place", "over", "explore", "matrix", "trace", "study", "fit"
+    return "place", "over", "explore", "matrix", "trace", "study", "follow", "fit"
+
+
+def files_of(folder):
+    """Files of a folder, and those of one step that a page reads."""
+    step = os.path.join("steps", "0001")
+    there = [name for name in os.listdir(folder) if os.path.isfile(os.path.join(folder, name))]
+    if os.path.isdir(os.path.join(folder, step)):
+        there += [os.path.join(step, name) for name in ("plan.json", "plan.ply", "scene.resolved.yaml")]
+    return sorted(there)
 
 
 def main(murk, is_sanitized, seed, times):
@@ -158,7 +169,7 @@ def main(murk, is_sanitized, seed, times):
         page = os.path.join(folder, "page.html")
         counts = {0: 0, 2: 0}
         for kind in make_folders(murk, folder):
-            for name in sorted(os.listdir(os.path.join(folder, kind))):
+            for name in files_of(os.path.join(folder, kind)):
                 path = os.path.join(folder, kind, name)
                 if name == "light.murk" or name.startswith("light-"):
                     continue

@@ -226,7 +226,8 @@ def real_scenes(folder):
     root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../scenes")
     for name, words in (("crossing", ("--emit", "3000", "--set", "timeline.every_s=5400")),
                         ("tide", ("--emit", "3000", "--set", "timeline.every_s=10800")),
-                        ("crane-hall", ("--emit", "2000", "--set", "timeline.every_s=20"))):
+                        ("crane-hall", ("--emit", "2000", "--set", "timeline.every_s=20")),
+                        ("rising-smoke", ("--emit", "2000", "--set", "timeline.every_s=5"))):
         scene, out, alone = os.path.join(root, name + ".yaml"), os.path.join(folder, name), os.path.join(folder, "one")
         run("follow", scene, "-o", out, *words)
         rows = table(out, "follow.csv")

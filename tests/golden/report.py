@@ -370,6 +370,51 @@ def main(murk):
             check([s["place"] for s in shown["sensors"]] ==
                   [s["position_m"] for s in row["sensors"]], shown["name"])
 
+        # steps of a timeline: a lamp is dimmed, the fog grows thicker, a box moves
+        write("steps.yaml", SCENE + "timeline: {from_s: 0, to_s: 6, every_s: 2, tracks: [\n"
+              "  {key: lights.0.power_w, keyframes: [{t_s: 0, value: 10}, {t_s: 6, value: 1}]},\n"
+              f"  {{key: {json.dumps(f'media.{EVIL} fog.extinction_per_m')}, keyframes: [{{t_s: 0, value: 0.3}}, {{t_s: 4, value: 2}}]}},\n"
+              "  {geometry: 1, keyframes: [{t_s: 0, translate_m: [0, 0, 0]}, {t_s: 6, translate_m: [1, 0, 0]}]}]}\n")
+        summary = run("follow", "steps.yaml", "-o", "steps", "--set", "placement.method=greedy")
+        run("report", "steps")
+        check_summary(summary[summary.index("steps  "):], at("steps/report.html"))  # without the rows
+        page = read(at("steps/report.html"))
+        check(page.tags.count("svg") == 4 + 2 + 4, page.tags.count("svg"), "want 4 plots, 2 drawings, 4 steps")
+        rows, data = table(at("steps/follow.csv")), view_data(at("steps/report.html"))[0]
+        check([s["name"] for s in data["states"]] == [f"step {k}: {2 * k} s" for k in range(4)], data["states"])
+        check(len({s["media"] for s in data["states"]}) > 1, "the same fog at all steps")
+        text = drawn(at("steps/report.html"))
+        plot = Plot(text, "Coverage of the plan of each step, with its 95 % interval, and the bound of its sample")
+        work = Plot(text, "Share of the work that each step took over from the step before")
+        for k, row in enumerate(rows):
+            with open(at(f"steps/steps/{k:04}/plan.json"), encoding="utf-8") as file:
+                plan = json.load(file)
+            state = data["states"][k]
+            check([s["place"] for s in state["sensors"]] == [s["position_m"] for s in plan["sensors"]], state["name"])
+            check(state["stored"] == len(photons_of(at(f"steps/steps/{k:04}/plan.ply"))), "photons of", state["name"])
+            plot.is_at(plot.marks(0)[k], float(row["t_s"]), float(row["coverage"]), f"coverage of {row}")
+            plot.is_at(plot.marks(1)[k], float(row["t_s"]), float(row["upper"]), f"bound of {row}")
+            both = [int(row[name]) for name in ("photons_kept", "photons_traced")]
+            work.is_at(work.marks(0)[k], float(row["t_s"]), both[0] / sum(both), f"photons taken over of {row}")
+            check(f"{100 * float(row['coverage']):.2f} ±" in page.text, "coverage of", row)
+        check("Steps that failed" not in page.text, "a step that failed")
+        found = commands(at("steps/report.html"))
+        check(len(found) == 2 and "murk follow" in found[1], found)
+        paste(found[0])
+        check([row["coverage"] for row in table(at("again/follow.csv"))] == [row["coverage"] for row in rows],
+              "is not the same:", found[0])
+        shutil.rmtree(at("again"))
+        # without the folders of some steps, and with one that failed
+        shutil.rmtree(at("steps/steps/0001"))
+        with open(at("steps/follow.json"), encoding="utf-8") as file:
+            follow = json.load(file)
+        follow["steps"][2].update({"failed": EVIL, "coverage": None, "upper": None})
+        write("steps/follow.json", json.dumps(follow))
+        run("report", "steps")
+        data, page = view_data(at("steps/report.html"))[0], read(at("steps/report.html"))
+        check([s["name"] for s in data["states"]] == ["step 0: 0 s", "step 3: 6 s"], data["states"])
+        check("Steps that failed" in page.text and EVIL in page.text, "the step that failed")
+
         # 40 rows, more than the page has states for: the last plan may differ from all others, or be equal
         os.mkdir(at("long"))
         write("long/table.csv", "a\n" + "".join(f"{n}\n" for n in range(40)))

@@ -2,6 +2,7 @@
 // in space. Built into src/report/web/page.js by tools/report/build.
 import { read } from "./data.js";
 import { fit } from "./fit.js";
+import { follow } from "./follow.js";
 import { html } from "./html.js";
 import { light } from "./light.js";
 import { placement } from "./placement.js";
@@ -27,7 +28,7 @@ function put(before, draw) {
 const rest = document.getElementById("pictures") ? "pictures" : "made";
 put(rest, () => placement(results));
 put(rest, () => where(space, results.note));
-for (const draw of [study, fit, light, tallies]) put("made", () => draw(results));
+for (const draw of [study, follow, fit, light, tallies]) put("made", () => draw(results));
 
 const sections = [...main.querySelectorAll("section")].map(({ id, dataset }) => ({ id, title: dataset.title }));
 const contents = document.createElement("nav");

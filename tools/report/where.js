@@ -6,6 +6,7 @@ import { html, nothing } from "./html.js";
 
 const WIDTH = 640, TALLEST = 800, MARGIN = 24, SCALE_BAR = 26; // of a drawing; under it
 const DOTS_MAX = 4000, NUMBERED_MAX = 99; // photons that are drawn; sensors that have numbers
+const STEPS_MAX = 12; // of a timeline that are drawn one beside the other
 const LEAST_M = 1; // that a drawing shows
 const STEPS = 65535; // of a place between the corners of its box
 
@@ -56,12 +57,14 @@ function notes(data) {
   const most = Math.max(0, ...data.media.map((m) => m.most_per_m)), several = data.states.length > 1;
   return html`<p class="note">${shown < stored
     ? `Of ${stored} ${pointName(data)}s${several ? " of all conditions" : ""} ${shown} are here, evenly chosen. ` : ""}${
-    data.states.length < data.states_asked ? `The first ${data.states.length} of ${data.states_asked} plans can be chosen. ` : ""}${
+    data.states.length < data.states_asked ? data.follow ? `${data.states.length} of ${data.states_asked} steps can be chosen. `
+      : `The first ${data.states.length} of ${data.states_asked} plans can be chosen. ` : ""}${
     data.mesh?.coarse ? `Of ${data.mesh.asked} triangles ${data.mesh.triangles} are shown: surfaces are coarser here than in the simulation. ` : ""}${
     most > 0 ? `Media: extinction in the first band, at most ${format.number(most)} per m; cells are coarser than in the simulation. ` : ""}${
     hasSensors(data) && data.periodic
       ? "The scene repeats at its sides in x and y: what a sensor sees across a side is drawn where it lies in here. " : ""}${
-    data.study ? "Surfaces, lamps and media are those of the study's base scene. " : ""}<span class="interactive">Drag to turn, scroll to go nearer, with two fingers or the right button to move. With the picture in focus: arrow keys turn, + and − go nearer and away${
+    data.study ? "Surfaces, lamps and media are those of the study's base scene. " : ""}${
+    data.follow ? "Sensors, photons and media are those of each step, surfaces and lamps those of the first. " : ""}<span class="interactive">Drag to turn, scroll to go nearer, with two fingers or the right button to move. With the picture in focus: arrow keys turn, + and − go nearer and away${
     hasSensors(data) ? ", N and P pick the next and previous sensor, Escape none" : ""}.</span></p>
 `;
 }
@@ -134,6 +137,28 @@ function wallsOf(data, p, axes) {
 `, said: `; walls cut at ${"xyz"[section.axis]} = ${at} m${section.count < section.asked ? `, the longest ${section.count} of ${section.asked} lines` : ""}` };
 }
 
+// The sensors of some steps of a timeline, from above, and which of them stand where none stood in the picture before.
+function steps(data) {
+  const n = Math.min(data.states.length, STEPS_MAX), p = projection(data, [0, 1]);
+  if (!data.follow || n < 2 || !p) return nothing;
+  const chosen = Array.from({ length: n }, (_, i) => data.states[Math.floor(i * (data.states.length - 1) / (n - 1))]);
+  const walls = wallsOf(data, p, [0, 1]), at = (sensor) => sensor.place.join(" ");
+  return html`<p class="key"><span class="place"></span>sensor<span class="one"></span>sensor where none stood in the picture before</p>
+<div class="steps">
+${chosen.map((state, i) => {
+    const before = new Set((chosen[i - 1] ?? state).sensors.map(at));
+    return html`<figure>
+<svg viewBox="0 0 ${WIDTH} ${p.height.toFixed(0)}" role="img" aria-label="The sensors of ${state.name}, from above">
+${walls.path}${state.sensors.map((sensor) => html`<circle class="${before.has(at(sensor)) ? "sensor" : "sensor new"}" cx="${
+      d1(p.x(sensor.place))}" cy="${d1(p.y(sensor.place))}" r="14"/>
+`)}</svg>
+<figcaption>${state.name}</figcaption>
+</figure>
+`;
+  })}</div>
+`;
+}
+
 function drawing(data, dots, name, axes) {
   const p = projection(data, axes);
   if (!p) return nothing;
@@ -173,6 +198,6 @@ ${note ? html`<p class="note">${note}</p>
     ? html`<p class="note">${dots.length} of the ${data.states[0].stored} ${pointName(data)}s are drawn below, evenly chosen.</p>
 ` : nothing}${key(data)}<div class="plans">
 ${drawing(data, dots, "From above: x to the right, y up", [0, 1])}${drawing(data, dots, "From the side: x to the right, z up", [0, 2])}</div>
-` : nothing}</section>
+${steps(data)}` : nothing}</section>
 `;
 }
