@@ -252,6 +252,10 @@ def wrong_steps_say_so(folder, scene):
     refused = [(["--set", "timeline.tracks=[{geometry: lode, keyframes: [{t_s: 0, translate_m: [0, 0, 0]}]}]"],
                 "geometry: lode is no name"),
                (["--set", "timeline.times_s=[3, 2]"], "must rise"),
+               (["--set", "timeline.times_s=[3, 3]"], "must rise"),
+               (["--set", "timeline.tracks=[{key: lights, keyframes: [{t_s: 0, value: [{type: point, position_m: [6, 4, 3], "
+                 "power_w: 1}]}, {t_s: 9, value: []}]}]"], "must have as many at all times"),
+               (["--set", "timeline.tracks=[{medium: fog, frames: none.##.vdb, every_s: 1}]"], "no file matches none.##.vdb"),
                (["--set", "placement.over=mean", "--set", "conditions={a: {}}"], "does not follow a timeline"),
                (["--set", "placement.knowledge=explore", "--set", "placement.start_m=[1, 1, 1]"], "knowledge: explore"),
                (["--set", "timeline.tracks=[{key: sensors.types, keyframes: [{t_s: 0, value: 1}]}]"], "at all times"),
@@ -263,6 +267,67 @@ def wrong_steps_say_so(folder, scene):
         file.write(SCENE[:SCENE.index("timeline")] + SCENE[SCENE.index("geometry:\n"):])
     done = run("follow", os.path.join(folder, "still.yaml"), code=2)
     check("has no timeline" in done.stderr, done.stderr)
+
+
+def frames_that_do_not_fit(folder, scene):
+    """A frame that is missing, one of other voxels, which stands alone but does not mix with others, and one that is no
+    grid: a row that says so, and the steps after it go on."""
+    casts, out = os.path.join(folder, "cast.csv"), os.path.join(folder, "frames")
+    with open(casts, "w") as file:
+        file.write("height_m,extinction_per_m\n0,0.4\n4,0.1\n")
+    for number, voxel in (("01", "1"), ("02", "0.25"), ("04", "1")):
+        run("media", "--profile", casts, "-o", os.path.join(folder, f"cast.{number}.vdb"), "--voxel", voxel)
+    words = ["--set", f"media.fog={{vdb: {folder}/cast.##.vdb, extinction_per_m: 1, albedo: 0.9}}", "--set",
+             "placement.method=greedy"]
+    track = "timeline.tracks=[{medium: fog, every_s: EVERY, between: BETWEEN}]"
+    text = {"missing": "frame 3 of ", "voxels": "cast.02.vdb: grid density has voxels", "after": "is not there; there are 1..2, 4"}
+    for between, every, want in (("nearest", "3", ("", "", "missing", "", "after")),
+                                 ("linear", "6", ("", "voxels", "", "missing", "missing"))):
+        run("follow", scene, "-o", out, *words, "--set", track.replace("EVERY", every).replace("BETWEEN", between), code=1)
+        for row, why in zip(table(out, "follow.csv"), want):
+            check(text[why] in row["failed"] if why else row["failed"] == "" and row["coverage"], between, why, row)
+        shutil.rmtree(out)
+    with open(os.path.join(folder, "cast.02.vdb"), "w") as file:
+        file.write("no grid")
+    run("follow", scene, "-o", out, *words, "--set", track.replace("EVERY", "3").replace("BETWEEN", "hold"), code=1)
+    why = [row["failed"] for row in table(out, "follow.csv")]
+    check("cast.02.vdb: is not an OpenVDB file" in why[1] and why[0] == why[3] == "", "no grid", why)
+
+
+def things_that_swallow_others(folder, scene):
+    """A box that moves over the only lamp leaves no light that a candidate could see; over a fixed sensor, a sensor that
+    sees nothing; over planned sensors, sensors that move."""
+    out = os.path.join(folder, "swallowed")
+    track = ("timeline.tracks=[{geometry: load, keyframes: [{t_s: 0, translate_m: [2, 4, 1]}, {t_s: 12, translate_m: [X, 4, 1]}]}]")
+    words = ["--set", "placement.method=best", "--set", "lights=[{type: point, position_m: [8, 4, 1], power_w: 5}]"]
+    run("follow", scene, "-o", out, "--set", track.replace("X", "8"), *words, code=1)
+    rows = table(out, "follow.csv")
+    check([bool(row["failed"]) for row in rows] == [False, False, False, False, True], "the lamp", rows)
+    check("out of reach of any light" in rows[4]["failed"], "the lamp", rows[4]["failed"])
+    shutil.rmtree(out)
+    run("follow", scene, "-o", out, "--set", track.replace("X", "11"), "--set", "sensors.fixed.0.position_m=[10.5, 4, 1]",
+        "--set", "sensors.count=5", "--set", "placement.method=best")
+    covers = [next(sensor["covers"] for sensor in plan_of(os.path.join(out, f"steps/{k:04}"))["sensors"]
+                   if sensor["position_m"] == [10.5, 4, 1]) for k in range(5)]
+    check(covers[0] > 0 and covers[4] == 0, "a fixed sensor in the box", covers)
+    for k in range(5):  # the box is 2 m wide, its middle at 2 + 9/4 k
+        inside = [sensor for sensor in table(out, f"steps/{k:04}", "sensors.csv")
+                  if abs(float(sensor["x_m"]) - 2 - 2.25 * k) < 1 and abs(float(sensor["y_m"]) - 4) < 1
+                  and abs(float(sensor["z_m"]) - 1) < 1 and sensor["x_m"] != "10.5"]
+        check(inside == [], "sensors in the box at step", k, inside)
+
+
+def shorter_timelines(folder, scene, whole):
+    """Steps beyond a shorter timeline stay in the folder, no table has them, and the longer timeline takes them again."""
+    words, out = ["--set", "placement.method=best", "--export", "light"], os.path.join(folder, "shorter")
+    shutil.copytree(whole, out)
+    stamp = os.stat(os.path.join(out, "steps/0004/plan.json")).st_mtime_ns
+    done = run("follow", scene, "-o", out, "--set", "timeline.to_s=6", *words)
+    check("steps/0003/plan.json: is of an earlier run, as are later steps: this timeline has 3" in done.stderr, done.stderr)
+    check(len(table(out, "follow.csv")) == 3 and json.loads(bytes_of(out, "follow.json"))["steps_done"] == 3, "shorter tables")
+    run("follow", scene, "-o", out, *words)
+    check(os.stat(os.path.join(out, "steps/0004/plan.json")).st_mtime_ns == stamp, "step 4 was made again")
+    check(without_seconds(out, "follow.csv") == without_seconds(whole, "follow.csv"), "follow.csv after a shorter one")
 
 
 def dark_steps_keep_the_sensors(folder, scene):
@@ -315,6 +380,9 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     moves_are_differences(made)
     goes_on(top, path, made)
     wrong_steps_say_so(top, path)
+    frames_that_do_not_fit(top, path)
+    things_that_swallow_others(top, path)
+    shorter_timelines(top, path, made)
     dark_steps_keep_the_sensors(top, path)
     a_start_of_ones_own(top, path, made)
     prints_without_a_folder(path, made)
