@@ -3,6 +3,7 @@
  * ends; the faces between are sorted by their coordinates and compared. */
 #include "geometry/changed_surfaces.h"
 
+#include "geometry/boundary_mesh.h"
 #include "geometry/ray_scene.h"
 
 #include <stdlib.h>
@@ -202,4 +203,38 @@ murk_status murk_changed_surfaces(murk_box_list *changed,
         --end_b;
     }
     return compare_between(changed, &c, begin, end_a, end_b, err);
+}
+
+murk_status murk_changed_boundary_meshes(murk_box_list *changed,
+                                         const murk_boundary_meshes *a,
+                                         const murk_boundary_meshes *b,
+                                         murk_error *err)
+{
+    if (!a || !b) {
+        changed->are_all = changed->are_all || a || b;
+        return MURK_OK;
+    }
+    if (a->n != b->n || a->tolerance_m != b->tolerance_m) {
+        changed->are_all = true;
+        return MURK_OK;
+    }
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < a->n && !status; ++i) {
+        const murk_boundary_mesh *p = &a->boundary_mesh[i],
+                                 *q = &b->boundary_mesh[i];
+        murk_box_list faces = {0};
+        if (p->region != q->region) {
+            changed->are_all = true;
+            return MURK_OK;
+        }
+        /* What lies between the faces may have changed, too. */
+        status = murk_changed_surfaces(&faces, p->shape, q->shape, false, err);
+        if (faces.n > 0 || faces.are_all) {
+            murk_box_list_add(changed,
+                              murk_surfaces_describe(p->shape).bounds_m);
+            murk_box_list_add(changed,
+                              murk_surfaces_describe(q->shape).bounds_m);
+        }
+    }
+    return status;
 }

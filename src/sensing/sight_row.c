@@ -359,7 +359,7 @@ static murk_sparse_row found_row(const row_search *l, unsigned worker,
 bool murk_sight_may_know(const murk_sight *sight)
 {
     return !sight->has_interfaces && !sight->power &&
-           !sight->desc.domain.is_periodic && !sight->desc.boundary_meshes;
+           !sight->desc.domain.is_periodic;
 }
 
 uint32_t murk_sight_tested(const murk_sight *sight, unsigned worker)

@@ -109,9 +109,12 @@ static const varied keys[] = {
 /* The places of the two keys of lamps. */
 #define FIRST_LAMP 13
 
-/* Settings that hold for a sequence. With the first of them, CLEAR, every
- * change in a box changes clarities. */
+/* Settings that hold for a sequence: one that is set before the keys above, and
+ * one that is set after them. With the first of them, CLEAR, every change in a
+ * box changes clarities. */
 #define CLEAR 0
+static char cloud_of_mesh[] = "regions.1={medium: cloud, mesh: "
+                              "/tmp/murk_changing_XXXXXX/block.obj}";
 static const char *const settings[][2] = {
     {"placement.detection=weighted", NULL},
     {"placement.detection=threshold", "placement.threshold=0.6"},
@@ -120,7 +123,8 @@ static const char *const settings[][2] = {
     {"placement.visibility=normal", NULL},
     {"sensors.types.0.acceptance_deg=5", NULL},
     {"placement.redundancy=2", NULL},
-    {"media.plume.interpolation=linear", NULL},
+    {NULL, "media.plume.interpolation=linear"},
+    {cloud_of_mesh, NULL},
     {"flight=delta", NULL},
     {"photons.least_weight=0.1", NULL},
     {"photons.maps=surface", NULL},
@@ -156,8 +160,32 @@ static void write_frames(void)
     }
 }
 
-static void remove_frames(void)
+/* A mesh that bounds a region: the box of the cloud. */
+static void write_mesh(void)
 {
+    static const int face[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                   {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+    char path[64];
+    snprintf(path, sizeof path, "%s/block.obj", folder);
+    memcpy(strchr(cloud_of_mesh, '/'), path, strlen(path));
+    FILE *to = fopen(path, "w");
+    CHECK(to);
+    for (int i = 0; i < 8 && to; ++i) {
+        fprintf(to, "v %g %g %g\n", i & 1 ? 0.7 : -0.7, i & 2 ? 0.7 : -0.7,
+                i & 4 ? 0.5 : -0.5);
+    }
+    for (int i = 0; i < 6 && to; ++i) {
+        fprintf(to, "f %d %d %d %d\n", face[i][0], face[i][1], face[i][2],
+                face[i][3]);
+    }
+    CHECK(to && fclose(to) == 0);
+}
+
+static void remove_files(void)
+{
+    char mesh[64];
+    snprintf(mesh, sizeof mesh, "%s/block.obj", folder);
+    unlink(mesh);
     for (int frame = 0; frame < 4; ++frame) {
         char path[64];
         snprintf(path, sizeof path, "%s/plume.%04d.vdb", folder, frame);
@@ -288,13 +316,16 @@ static void step_make(step *out, const size_t choice[KEYS], size_t setting,
     char text[KEYS][96];
     const char *override[KEYS + 3] = {0};
     size_t n = 0;
+    if (settings[setting][0]) {
+        override[n++] = settings[setting][0];
+    }
     for (size_t k = 0; k < KEYS; ++k) {
         snprintf(text[k], sizeof text[k], "%s=%s", keys[k].key,
                  keys[k].value[choice[k]]);
         override[n++] = text[k];
     }
-    for (size_t k = 0; k < 2 && settings[setting][k]; ++k) {
-        override[n++] = settings[setting][k];
+    if (settings[setting][1]) {
+        override[n++] = settings[setting][1];
     }
     *out = (step){.stage = stage_text_create(scene_text, override)};
     CHECK(out->stage);
@@ -562,10 +593,11 @@ int main(int argc, char **argv)
     CHECK(mkdtemp(folder));
     snprintf(scene_text, sizeof scene_text, scene_form, folder);
     write_frames();
+    write_mesh();
     for (long i = 0; i < sequences; ++i) {
         run_sequence((uint32_t)i);
     }
-    remove_frames();
+    remove_files();
     printf("%zu of %zu lights were updated, with %.1f %% of all photons; of "
            "%zu updates without paths %zu are not noticed\n",
            total.updated, total.steps,
