@@ -5,6 +5,9 @@
  */
 #include "api/handles.h"
 
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/ranks.h"
 #include "base/version.h"
 #include "scene/keys.h"
 
@@ -216,6 +219,22 @@ murk_status murk_call_end_long(murk_call *call, murk_status status)
         status = murk_fail(&call->failure, MURK_INTERRUPTED, "", "interrupted");
     }
     return murk_call_end(call, status);
+}
+
+murk_status murk_call_limit_search(double limit_s, double begun_s,
+                                   murk_error *failure)
+{
+    if (!(limit_s > 0)) {
+        return MURK_OK;
+    }
+    if (murk_ranks_count() > 1) {
+        return murk_fail(failure, MURK_BAD_VALUE, "placement.time_limit_s",
+                         "%g s with %u ranks, each of which would end its "
+                         "search at another point; must be absent",
+                         limit_s, murk_ranks_count());
+    }
+    murk_finish_set_deadline(begun_s + limit_s);
+    return MURK_OK;
 }
 
 murk_status murk_call_refuse(murk_error *error, const char *text)

@@ -216,6 +216,14 @@ murk_status murk_call_end(murk_call *call, murk_status status);
  * cancel is cleared, and turns any status into MURK_INTERRUPTED. */
 murk_status murk_call_end_long(murk_call *call, murk_status status);
 
+/* Ends the searches of the call limit_s seconds after the time begun_s of
+ * murk_clock_s(), or, if limit_s is 0, does nothing. The caller sets the
+ * deadline to INFINITY when the plan is made (base/interrupt.h). Fails with
+ * MURK_BAD_VALUE if there are several ranks, because each would end at another
+ * point. */
+murk_status murk_call_limit_search(double limit_s, double begun_s,
+                                   murk_error *failure);
+
 /* Splits the place of a failure, failure->where, into file, line, column and
  * key, and copies the failure to `to`, the error of the caller: the members
  * that the caller's struct has, or all if to->size is 0. Copies nothing if `to`

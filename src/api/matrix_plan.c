@@ -143,6 +143,7 @@ static murk_status make(murk_matrix_plan *p, const murk_scene *scene,
                         murk_error *err)
 {
     murk_session check = p->session;
+    /* Check all that was asked for before the matrix is read. */
     murk_status status = murk_matrix_settings(p, scene, err);
     if (!status) {
         status = murk_save_set(&check, folder, options, err);
@@ -158,6 +159,10 @@ static murk_status make(murk_matrix_plan *p, const murk_scene *scene,
     }
     murk_results_end(&check.results);
     p->session.run.load_s = murk_clock_s() - p->session.begun_s;
+    if (!status) {
+        status =
+            murk_call_limit_search(p->time_limit_s, p->session.begun_s, err);
+    }
     return status ? status : choose(p, err);
 }
 
@@ -203,6 +208,7 @@ murk_status murk_plan_for_matrix(murk_plan **out, murk_scene *scene,
         murk_finish_allow(true);
         status = make(p, scene, folder, options, &call.failure);
         murk_finish_allow(false);
+        murk_finish_set_deadline(INFINITY);
     } else {
         free(file);
         free(p);

@@ -25,6 +25,7 @@ static const char *const KEYS[] = {
     "placement.redundancy",
     "placement.restarts",
     "placement.nodes",
+    "placement.time_limit_s",
     "placement.memory_mb",
 };
 #define N_KEYS (sizeof KEYS / sizeof *KEYS)
@@ -102,6 +103,7 @@ murk_status murk_matrix_settings(murk_matrix_plan *p, const murk_scene *scene,
     desc->nodes = asked.placement.nodes;
     desc->row_memory =
         (uint64_t)(asked.placement.memory_mb * MURK_BYTES_PER_MB);
+    p->time_limit_s = asked.placement.time_limit_s;
     p->detection = asked.placement.detection;
     p->redundancy = (unsigned)asked.placement.redundancy;
     p->target = asked.sensors.target;

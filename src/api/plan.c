@@ -10,6 +10,7 @@
 #include "results/plan_files.h"
 #include "results/repeat.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Makes a plan that has no sensors yet. NULL when out of memory. */
@@ -142,9 +143,16 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
     } else if (plan) {
         plan->plan.keeps_matrix = m->keeps;
         murk_finish_allow(!m->is_step);
-        status = has_conditions ? place_conditions(plan, &call.failure)
-                                : place(plan, m, &call.failure);
+        /* The building of the world counts, whenever it was. */
+        status = murk_call_limit_search(world->desc->placement.time_limit_s,
+                                        murk_clock_s() - world->load_s,
+                                        &call.failure);
+        if (!status) {
+            status = has_conditions ? place_conditions(plan, &call.failure)
+                                    : place(plan, m, &call.failure);
+        }
         murk_finish_allow(false);
+        murk_finish_set_deadline(INFINITY);
         plan->plan.earlier = NULL;
         plan->plan.start_sensor = NULL;
     }

@@ -64,6 +64,11 @@ const murk_option murk_option_table[] = {
      "begin the search at this plan, a plan.json or sensors.csv, in place of "
      "random starts: a short search that improves an earlier plan",
      .kind = MURK_OPTION_TEXT, .key = "placement.start_plan"},
+    {"--time-limit", NULL, "S", "check place follow",
+     "end the search for a plan S seconds after the work on it began, with the "
+     "best plan and bound so far; follow: of each step. Light, sightlines and "
+     "files take the time they need",
+     .kind = MURK_OPTION_TEXT, .key = "placement.time_limit_s"},
     {"--sensors", NULL, "FILE", "sense render",
      "a placement, sensors.csv (type, x_m, y_m, z_m) or a plan.json: the one "
      "to measure; render: who sees each pixel's place, as channels "

@@ -36,6 +36,9 @@ typedef struct murk_host {
      * base/interrupt.h */
     atomic_int stop;
     atomic_int finish;        /* a value of murk_finish_state: lock-free, too */
+    bool has_deadline;        /* searches finish at deadline_s, */
+    double deadline_s;        /* a time of murk_clock_s() */
+    atomic_bool is_late;      /* a search has found the deadline passed */
     unsigned threads_allowed; /* 0: no limit but that of base/pool.h */
     murk_vec3 origin;         /* of positions in messages: base/position.h */
     _Atomic uint64_t *inputs; /* the set of files that are read; NULL: no set

@@ -1,9 +1,14 @@
-/* Two atomic variables of each host (base/host.h), which long computations
- * poll: the flag of requests to stop, and the state of requests to finish. */
+/* Variables of each host (base/host.h), which long computations poll: the flag
+ * of requests to stop, the state of requests to finish, and the deadline of
+ * searches. The deadline is set while no search runs, and is noted as passed by
+ * the poll that finds it so: a search that ended before was not cut. */
 #include "base/interrupt.h"
 
 #include "base/host.h"
+#include "base/progress.h"
 #include "base/ranks.h"
+
+#include <math.h>
 
 bool murk_interrupted(void)
 {
@@ -54,9 +59,34 @@ bool murk_finish_request(murk_host *host)
     return change(host, MURK_FINISH_POSSIBLE, MURK_FINISH_REQUESTED);
 }
 
+void murk_finish_set_deadline(double at_s)
+{
+    murk_host *host = murk_host_now();
+    host->has_deadline = isfinite(at_s);
+    host->deadline_s = at_s;
+    atomic_store(&host->is_late, false);
+}
+
+bool murk_finish_was_late(void)
+{
+    return atomic_load_explicit(&murk_host_now()->is_late,
+                                memory_order_relaxed);
+}
+
+/* Notes that the deadline has passed, if it has. */
+static bool is_late(murk_host *host)
+{
+    if (host->has_deadline && murk_clock_s() >= host->deadline_s) {
+        atomic_store_explicit(&host->is_late, true, memory_order_relaxed);
+    }
+    return atomic_load_explicit(&host->is_late, memory_order_relaxed);
+}
+
 bool murk_must_finish(void)
 {
+    murk_host *host = murk_host_now();
     return murk_interrupted() ||
-           atomic_load_explicit(&murk_host_now()->finish,
-                                memory_order_relaxed) == MURK_FINISH_REQUESTED;
+           atomic_load_explicit(&host->finish, memory_order_relaxed) ==
+               MURK_FINISH_REQUESTED ||
+           is_late(host);
 }

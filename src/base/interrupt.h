@@ -2,6 +2,7 @@
  * receives (app/terminal.h): long computations stop at the next batch and
  * remove unfinished files. And requests to finish, by murk_context_finish(): a
  * search ends with the best that it has found, and the work goes on with that.
+ * A deadline has the same effect as a request to finish.
  *
  * A host is a caller of the library (base/host.h), and has one flag. A thread
  * that is bound to no host belongs to the host of the process, so every thread
@@ -51,8 +52,17 @@ bool murk_finish_search_ends(void);
 struct murk_host;
 bool murk_finish_request(struct murk_host *host);
 
-/* True if the host of the calling thread was asked to finish or to stop: what a
- * search polls where it may end with a complete result. */
+/* The searches of the host of the calling thread finish, too, once
+ * murk_clock_s() (base/progress.h) passes at_s, whatever the state of requests.
+ * INFINITY: never, as at first. Called while no search runs. */
+void murk_finish_set_deadline(double at_s);
+
+/* True if a search has finished because of the deadline that was set last. */
+bool murk_finish_was_late(void);
+
+/* True if the host of the calling thread was asked to finish or to stop, or if
+ * its deadline has passed: what a search polls where it may end with a complete
+ * result. Once true, it stays so until the searches are over. */
 bool murk_must_finish(void);
 
 #endif

@@ -75,6 +75,7 @@ static murk_status keep(choosing *ch, const char *made_for,
     /* All plans are searched after one another, so a request to finish that
      * came with any of them concerns the results as a whole. */
     ch->plan->place.is_interrupted |= place->is_interrupted;
+    ch->plan->place.is_late |= place->is_late;
     murk_condition_plan *plan = &ch->plans->plan[ch->plans->plans++];
     snprintf(plan->made_for, sizeof plan->made_for, "%s", made_for);
     plan->count = place->count;

@@ -399,6 +399,10 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
     }
     if (murk_must_finish() || (!is_plan && is_curve_work_done(p))) {
         *last = greedy_point(p, k, from, last->value);
+        if (is_plan && desc->method != MURK_PLACE_GREEDY) {
+            last->value = try_start_plan(p, k, last->value);
+            last->count = p->size;
+        }
         return MURK_OK;
     }
     *last = desc->method == MURK_PLACE_BEST

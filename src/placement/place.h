@@ -31,10 +31,12 @@
  * and is_work_cut says so.
  *
  * A request to finish (base/interrupt.h) ends sweeps, relocation, starts, bound
- * and branch and bound where they are. Counts that are still to come take
- * greedy's plan, or the plan of one sensor fewer with one more, so the result
- * is a plan of the wanted count, and is_interrupted says that another run may
- * give another plan. A scan that has begun is completed.
+ * and branch and bound where they are, and so does the deadline of searches.
+ * Counts that are still to come take greedy's plan, or the plan of one sensor
+ * fewer with one more, so the result is a plan of the wanted count, and
+ * is_interrupted or is_late says that another run may give another plan. A scan
+ * that has begun is completed. The start plan is tried all the same, so the
+ * plan is never worse than the start plan.
  *
  * With a target, counts are tried upwards from the smallest feasible one. If
  * the plan of a count misses the target and the bound does not exclude it,

@@ -146,6 +146,18 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
     return MURK_OK;
 }
 
+/* Fails because the searches ended before a plan reached the target. */
+static murk_status fail_early(murk_error *err)
+{
+    return murk_finish_was_late()
+               ? murk_fail(err, MURK_RUN_FAILED, "",
+                           "the time limit came before a plan was found that "
+                           "reaches the target")
+               : murk_fail(err, MURK_INTERRUPTED, "",
+                           "interrupted before a plan was found that reaches "
+                           "the target");
+}
+
 murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
                                   void *context, murk_error *err)
 {
@@ -160,13 +172,10 @@ murk_status murk_place_run_counts(murk_place_run *run, murk_find_count find,
     status = status ? status : murk_interrupt_check(err);
     /* A plan that misses the target is no result. */
     const murk_place_result *result = &run->result;
-    if (!status && murk_must_finish() && result->value < desc->target &&
-        result->upper >= desc->target) {
-        status = murk_fail(err, MURK_INTERRUPTED, "",
-                           "interrupted before a plan was found that reaches "
-                           "the target");
-    }
-    return status;
+    return !status && murk_must_finish() && result->value < desc->target &&
+                   result->upper >= desc->target
+               ? fail_early(err)
+               : status;
 }
 
 uint64_t murk_place_run_nodes_left(const murk_place_run *run,
@@ -193,7 +202,9 @@ murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
                                murk_status status)
 {
     murk_place_result *result = &run->result;
+    /* What ended the search, and the plan. */
     result->is_interrupted = murk_finish_search_ends();
+    result->is_late = murk_finish_was_late();
     for (size_t k = 0; !status && k < result->count; ++k) {
         result->sensor[k] = run->plan[k];
         result->cost +=

@@ -100,6 +100,7 @@ typedef struct murk_place_result {
                              (base/interrupt.h): plan, bound and counters are
                              those reached so far, which depend on the time of
                              the request */
+    bool is_late;         /* likewise by the deadline of the searches */
     uint64_t evaluations; /* gains of candidates that were computed */
     uint64_t queries;     /* rows evaluated or added, whether cached or asked of
                              the problem; unknown environment only */

@@ -235,8 +235,7 @@ static void make_first_plans(worst *w, size_t n, const uint32_t *from)
 {
     murk_place_run *run = &w->run;
     const murk_place_method method = run->desc->method;
-    const bool has_start = run->desc->start_plan && !murk_must_finish() &&
-                           method != MURK_PLACE_GREEDY;
+    const bool has_start = run->desc->start_plan && method != MURK_PLACE_GREEDY;
     if (has_start) { /* first, so that it stays on ties */
         try_start_plan(w, n);
     }

@@ -54,6 +54,7 @@ static murk_status bound_all(murk_place_result *out, size_t *fewest,
         last->upper = out->upper < last->upper ? out->upper : last->upper;
         out->upper = last->upper;
         out->is_interrupted |= intermediate.is_interrupted;
+        out->is_late |= intermediate.is_late;
     }
     murk_place_release(&intermediate);
     return later;
@@ -128,6 +129,7 @@ murk_status murk_explore_bound(murk_place_result *place,
     place->proven_optimal = place->value == place->upper;
     place->guarantee = "none";
     place->is_interrupted = all.is_interrupted;
+    place->is_late = all.is_late;
     place->fewest = all.fewest;
     place->ceiling = all.ceiling;
     place->after_presolve = all.after_presolve;

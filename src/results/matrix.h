@@ -25,6 +25,7 @@ typedef struct murk_matrix_plan {
     murk_place_desc desc;
     murk_detection detection;
     unsigned redundancy;          /* >= 1 */
+    double time_limit_s;          /* of the search; 0: none */
     double target, budget;        /* 0: not asked for */
     murk_constraints constraints; /* used if there is a budget */
     int64_t *cost;                /* [matrix->columns]; cost of each column, in

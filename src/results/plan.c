@@ -54,9 +54,10 @@ void murk_results_list_cut(murk_results_fields *f, const void *of)
     const murk_place_result *place = of;
     MURK_COUNT(f, "nodes", "of branch and bound", place->nodes);
     MURK_TEXT(f, "cut_by",
-              "null, or what ended the search: interrupt, or a limit: nodes "
-              "(of branch and bound, over all counts together) or work",
+              "null, or what ended the search: interrupt, or a limit: time, "
+              "nodes (of branch and bound, over all counts together) or work",
               place->is_interrupted ? "interrupt"
+              : place->is_late      ? "time"
               : place->is_cut       ? "nodes"
               : place->is_work_cut  ? "work"
                                     : NULL);
@@ -256,10 +257,11 @@ murk_sensor_results murk_plan_sensor_results(const murk_scene_desc *scene,
 
 static void print_interrupt(const murk_place_result *place)
 {
-    if (place->is_interrupted) {
-        murk_print("            the search was interrupted: the plan and the "
-                   "bound are those reached so far, and another run may give "
-                   "others\n");
+    if (place->is_interrupted || place->is_late) {
+        murk_print("            the search %s: the plan and the bound are "
+                   "those reached so far, and another run may give others\n",
+                   place->is_interrupted ? "was interrupted"
+                                         : "ended by placement.time_limit_s");
     }
 }
 
@@ -280,7 +282,7 @@ void murk_print_bound(const murk_place_result *place, bool has_budget,
     }
     /* What ended the search. */
     print_interrupt(place);
-    if (place->is_cut && !place->is_interrupted) {
+    if (place->is_cut && !place->is_interrupted && !place->is_late) {
         murk_print("            branch and bound ended by placement.nodes "
                    "after %llu: the bound is the one reached so far\n",
                    (unsigned long long)place->nodes);

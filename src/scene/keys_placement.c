@@ -74,6 +74,8 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("jitter_draws", COUNT, .min = 2, .max = 1e6, .preset = "100",
         PLAN(jitter_draws)),
     ROW("nodes", COUNT, .max = 1e15, .preset = "1000000", PLAN(nodes)),
+    ROW("time_limit_s", NUMBER, .above = true, .max = 1e9, .unit = "s",
+        PLAN(time_limit_s)),
     ROW("over", WORD, .preset = "null", PLAN(over),
         WORDS({"null", MURK_SCENE_OBJECTIVE_NONE},
               {"mean", MURK_SCENE_OBJECTIVE_MEAN},

@@ -444,8 +444,9 @@ typedef struct murk_scene_placement {
     char *start_plan; /* file with the plan at which a search begins: path from
                        * the working folder; NULL: none */
     uint64_t restarts, nodes;
-    double memory_mb; /* MiB of rows in memory */
-    bool balanced;    /* weights: balanced; false: the two weights below */
+    double time_limit_s; /* of the making of a plan; 0: no limit */
+    double memory_mb;    /* MiB of rows in memory */
+    bool balanced;       /* weights: balanced; false: the two weights below */
     double weight_surface, weight_volume;
     murk_scene_interest *interest; /* at most 64 */
     size_t n_interests;

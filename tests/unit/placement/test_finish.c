@@ -1,11 +1,13 @@
 /* A search that is asked to finish (base/interrupt.h) gives a plan of the
  * wanted number that keeps all rules, the value of that plan, and a valid
  * bound, whenever the request comes: before the search, at any row that the
- * search asks for, or at some time from another thread. Small problems are
+ * search asks for, or at some time from another thread. A deadline does the
+ * same. Small problems are
  * compared with brute force. Nothing is random but the fixed seeds and, in the
  * last tests, the times of requests, on which no check depends. */
 #include "base/host.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "check.h"
 #include "made_up_rules.h"
 #include "placement/at_least.h"
@@ -297,6 +299,65 @@ static void test_times(place_function place, const made_up *m,
     murk_matrix_destroy(matrix);
 }
 
+/* A deadline ends a search as a request does. One that has passed leaves a plan
+ * that is no worse than the start plan, whose value is that of the plan in
+ * which all its sensors are fixed; one that is far changes nothing. */
+static void test_deadline(place_function place, uint32_t seed)
+{
+    static const murk_place_method methods[] = {
+        MURK_PLACE_BEST, MURK_PLACE_SPOQ, MURK_PLACE_EXACT};
+    int starts_that_won = 0;
+    for (uint32_t k = 0; k < 30; ++k) {
+        made_up *m = made_up_create(seed + k, 400, 40, 0.1, k % 2 ? 40 : 1,
+                                    1 + k % 4, 1);
+        murk_place_desc desc = murk_place_defaults(), whole = desc;
+        murk_place_result good = {0}, free = {0}, start = {0}, late = {0},
+                          early = {0};
+        murk_matrix *matrix = NULL;
+        murk_error err = {0};
+        desc.count = whole.count = 5;
+        CHECK(!murk_matrix_create(&matrix, &m->problem, MATRIX_MAX, &err));
+        /* A good start, or the first candidates. */
+        CHECK(place(&good, m, matrix, &desc, &err) == MURK_OK);
+        uint32_t list[5];
+        size_t fixed[5];
+        for (size_t i = 0; i < 5; ++i) {
+            fixed[i] = k % 3 ? good.sensor[i] : i;
+            list[i] = (uint32_t)fixed[i];
+        }
+        const murk_constraints all_fixed = {.fixed = fixed, .fixed_count = 5};
+        whole.constraints = &all_fixed;
+        CHECK(place(&start, m, matrix, &whole, &err) == MURK_OK);
+        /* Without a deadline, with one that is far, and one that has passed. */
+        desc.method = methods[k % 3];
+        desc.start_plan = list;
+        desc.start_size = 5;
+        CHECK(place(&free, m, matrix, &desc, &err) == MURK_OK);
+        murk_finish_set_deadline(murk_clock_s() + 1e6);
+        CHECK(place(&early, m, matrix, &desc, &err) == MURK_OK);
+        murk_finish_set_deadline(murk_clock_s());
+        CHECK(place(&late, m, matrix, &desc, &err) == MURK_OK);
+        murk_finish_set_deadline(INFINITY);
+        CHECK(!murk_must_finish());
+        CHECK(!free.is_late && !early.is_late && late.is_late);
+        CHECK(!late.is_interrupted && late.count == 5);
+        CHECK(early.value == free.value && early.upper == free.upper &&
+              early.evaluations == free.evaluations);
+        CHECK(memcmp(early.sensor, free.sensor, 5 * sizeof *free.sensor) == 0);
+        CHECK(late.value >= start.value);
+        CHECK(late.upper >= free.value && late.upper >= late.value);
+        starts_that_won += late.value >= good.value;
+        murk_place_release(&good);
+        murk_place_release(&free);
+        murk_place_release(&start);
+        murk_place_release(&late);
+        murk_place_release(&early);
+        murk_matrix_destroy(matrix);
+        made_up_destroy(m);
+    }
+    CHECK(starts_that_won >= 20);
+}
+
 static void test_endless(uint32_t seed)
 {
     murk_place_desc desc = murk_place_defaults();
@@ -343,6 +404,8 @@ int main(void)
     test_small(7100);
     test_refused(7200);
     test_target(7250);
+    test_deadline(place_value, 7260);
+    test_deadline(place_worst, 7290);
     test_endless(7300);
     return check_done();
 }
