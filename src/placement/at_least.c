@@ -42,8 +42,6 @@ typedef struct strict_run {
     uint64_t *strict, *sum; /* [candidates] gains: strict weight S, and V */
     size_t trial_size;
     uint64_t rows, rows_max;
-    bool is_closed; /* every count so far is excluded by the bound for that
-                       count */
 } strict_run;
 
 /* ---- the problem ---- */
@@ -273,21 +271,6 @@ static murk_status branch_and_bound(strict_run *r, size_t n, uint64_t *upper,
 
 /* ---- counts ---- */
 
-/* Raises `fewest`, the lower bound on the number of sensors, if the upper bound
- * on the value of n sensors is below the target. Without conflicts between
- * candidates every smaller plan can be extended to n sensors, so all smaller
- * numbers are excluded as well. With conflicts, `fewest` is raised only if each
- * smaller number was excluded by the bound for that number (is_closed). */
-static void update_fewest(strict_run *r, size_t n, uint64_t upper)
-{
-    const bool may_fill = !(r->run.set && r->run.set->has_conflicts);
-    if (upper >= r->run.desc->target) {
-        r->is_closed = false;
-    } else if (r->is_closed || may_fill) {
-        r->run.result.fewest = n + 1;
-    }
-}
-
 /* Finds the best plan of n: from the best plan of n - 1 sensors, from the plan
  * that is best for the mean, and by branch and bound. */
 static murk_status find_count(void *context, size_t n, const uint32_t *from,
@@ -343,7 +326,6 @@ static murk_status find_count(void *context, size_t n, const uint32_t *from,
     upper /= r->redundancy;
     upper = upper > run->value ? upper : run->value;
     *point = (murk_curve_point){n, run->value, upper};
-    update_fewest(r, n, upper);
     return status;
 }
 
@@ -432,8 +414,7 @@ murk_status murk_place_at_least(murk_place_result *out,
                                 const murk_place_desc *desc, murk_error *err)
 {
     assert(out && problem && matrix && desc && desc->target > 0);
-    strict_run r = {.redundancy = murk_problem_layers(problem),
-                    .is_closed = true};
+    strict_run r = {.redundancy = murk_problem_layers(problem)};
     murk_status status =
         murk_place_run_begin(&r.run, problem, matrix, desc, err);
     if (!status) {

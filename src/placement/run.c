@@ -58,6 +58,7 @@ murk_status murk_place_run_begin(murk_place_run *run,
         murk_arena_array(&run->arena, n, sizeof *run->search.fallback);
     murk_place_result *result = &run->result;
     result->guarantee = "none";
+    result->fewest = desc->target ? run->first : 0;
     result->sensor = calloc(n, sizeof *result->sensor);
     result->curve = is_curve ? calloc(n, sizeof *result->curve) : NULL;
     return run->arena.is_short || !result->sensor ||
@@ -109,6 +110,21 @@ murk_status murk_place_run_find_fallback(murk_place_run *run, size_t n,
     return MURK_OK;
 }
 
+/* Raises `fewest`, the lower bound on the number of sensors, if the upper bound
+ * on the value of n sensors is below the target. Without conflicts between
+ * candidates every smaller plan can be extended to n sensors, so all smaller
+ * numbers are excluded as well. With conflicts, `fewest` is raised only if each
+ * smaller number was excluded by the bound for that number (is_open). */
+static void update_fewest(murk_place_run *run, size_t n, uint64_t upper)
+{
+    const bool may_fill = !(run->set && run->set->has_conflicts);
+    if (upper >= run->desc->target) {
+        run->is_open = true;
+    } else if (!run->is_open || may_fill) {
+        run->result.fewest = n + 1;
+    }
+}
+
 static murk_status find_all(murk_place_run *run, murk_find_count find,
                             void *context, murk_error *err)
 {
@@ -132,8 +148,8 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
             result->curve[k - run->first] = point;
             result->curve_points = k - run->first + 1;
         }
-        if (target && result->fewest == 0 && point.upper >= target) {
-            result->fewest = k;
+        if (target) {
+            update_fewest(run, k, point.upper);
         }
         memcpy(last_plan, run->plan, run->size * sizeof *last_plan);
         if (target && point.value >= target) {

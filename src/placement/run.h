@@ -18,6 +18,8 @@ typedef struct murk_place_run {
     uint32_t *plan;        /* [last] the best plan of the present count */
     size_t size;           /* sensors of the plan; 0: none was found yet */
     uint64_t value;        /* of the plan, by the objective */
+    bool is_open;          /* the bound admits that some count tried so far
+                              reaches the target */
     uint32_t *trial;       /* [last] scratch */
     murk_place_result result;
     murk_arena arena; /* for arrays that live as long as the run */

@@ -441,6 +441,65 @@ static void test_target(uint32_t seed)
     CHECK(reached > 3 && missed > 1);
 }
 
+/* The same under rules, by every method, with several threads: the number of
+ * sensors is never less than the smallest possible, the lower bound on the
+ * number never more, and every point of the curve lies on both sides of the
+ * optimum of its count. */
+static void test_target_under_rules(uint32_t seed)
+{
+    int plans = 0, proven = 0, more = 0;
+    for (uint32_t k = 0; k < 60; ++k) {
+        made_up *m =
+            made_up_create(seed + k, 90, 10, .25, k % 2 ? 40 : 1, 2, 1 + k % 4);
+        const murk_blocks blocks = blocks_of(m, 2 + k % 3);
+        separate_blocks(m, &blocks);
+        combine_by(m, k % 4);
+        /* Pairs of rules but a budget, of which a target has none. */
+        made_up_constraints r;
+        const unsigned kinds = (1u << k % 7 | 1u << k % 5) & ~(unsigned)BUDGET;
+        uint64_t best[MADE_UP_MAX + 1];
+        made_up_constraints_fill(&r, seed + k, kinds, 10);
+        find_optima(m, &blocks, &r, best);
+        murk_place_desc desc = murk_place_defaults();
+        desc.method = (murk_place_method)(k % 4);
+        desc.constraints = kinds ? &r.constraints : NULL;
+        desc.count = 10;
+        /* What the best plan of some number is worth, or a little less. */
+        size_t fewest = 1, goal = 2 + k % 4;
+        while (goal > 0 && best[goal] == UINT64_MAX) {
+            --goal;
+        }
+        desc.target = goal ? best[goal] - (k % 5 ? best[goal] / 50 : 0) : 0;
+        while (fewest < MADE_UP_MAX &&
+               (best[fewest] == UINT64_MAX || best[fewest] < desc.target)) {
+            ++fewest;
+        }
+        murk_error err = {0};
+        murk_place_result plan = {0};
+        if (desc.target && !place(&plan, m, &blocks, &desc, &err)) {
+            ++plans;
+            CHECK(plan.value >= desc.target &&
+                  made_up_keeps(&r, made_up_set(&plan)));
+            CHECK(plan.value == min_share(m, &blocks, made_up_set(&plan)));
+            CHECK(plan.count >= fewest && plan.fewest <= fewest);
+            proven += plan.count == plan.fewest;
+            more += plan.count > fewest;
+            for (size_t i = 0; i < plan.curve_points; ++i) {
+                const murk_curve_point *point = &plan.curve[i];
+                CHECK(best[point->count] == UINT64_MAX ||
+                      (point->value <= best[point->count] &&
+                       best[point->count] <= point->upper));
+            }
+        }
+        murk_place_release(&plan);
+        made_up_destroy(m);
+    }
+    printf("targets under rules: %d plans, %d proven to be the smallest, %d "
+           "larger than that\n",
+           plans, proven, more);
+    CHECK(plans > 30 && proven > 10);
+}
+
 /* With a target each count may need branch and bound, and the limit on nodes
  * covers all counts together. Each candidate sees photons of one of five blocks
  * alone, so fewer than five sensors are worth nothing in the worst block, but
@@ -528,6 +587,7 @@ int main(void)
     test_the_bound_alone(300);
     test_one_block_is_plain(5);
     test_target(900);
+    test_target_under_rules(950);
     test_limit_of_all_counts(600);
     test_threads(17);
     return check_done();
