@@ -262,6 +262,12 @@ void murk_follow_destroy(murk_follow *follow)
     free(follow);
 }
 
+static murk_follow_results results_of(const murk_follow *follow)
+{
+    return (murk_follow_results){follow->session.scene, &follow->sequence,
+                                 follow->steps, follow->reused};
+}
+
 /* ---- the plan at which the search of a step begins ---- */
 
 /* The path of a file of a step. The caller frees it; NULL when out of memory or
@@ -278,23 +284,16 @@ static char *step_path(const murk_follow *follow, size_t step, const char *name)
  * the caller frees it. NULL when out of memory. */
 static char *start_text(const murk_follow *follow)
 {
-    const murk_sequence *s = &follow->sequence;
-    murk_pose *pose = calloc(s->sensors + 1, sizeof *pose);
+    const murk_follow_results results = results_of(follow);
     char *text = NULL;
     size_t size;
-    FILE *to = pose ? open_memstream(&text, &size) : NULL;
-    for (size_t i = 0; pose && i < s->sensors; ++i) {
-        pose[i] = s->sensor[i].pose;
-    }
+    FILE *to = open_memstream(&text, &size);
     if (to) {
-        const murk_sensor_results sensors = {
-            .scene = follow->session.scene, .pose = pose, .n = s->sensors};
-        murk_results_csv_heading(to, murk_results_list_place);
-        for (size_t i = 0; i < s->sensors; ++i) {
-            murk_results_csv_line(to, murk_results_list_place, &sensors, i);
+        murk_results_csv_heading(to, murk_results_list_start);
+        for (size_t i = 0; i < follow->sequence.sensors; ++i) {
+            murk_results_csv_line(to, murk_results_list_start, &results, i);
         }
     }
-    free(pose);
     if (to && fclose(to)) {
         free(text);
         text = NULL;
@@ -439,6 +438,10 @@ static void fill_row(step_work *step, const cJSON *plan)
     row->photons_kept = count_at(reused, "photons");
     row->pairs_kept = count_at(reused, "sightlines");
     row->pairs_looked = rays > 0 ? (uint64_t)rays - row->pairs_kept : 0;
+    const char *cut = cJSON_GetStringValue(at(plan, "placement", "cut_by"));
+    snprintf(row->cut_by, sizeof row->cut_by, "%s", cut ? cut : "");
+    row->sensors =
+        (size_t)cJSON_GetArraySize(cJSON_GetObjectItem(plan, "sensors"));
     const cJSON *seconds = at(plan, "run", "seconds");
     row->seconds =
         seconds ? cJSON_GetNumberValue(cJSON_GetObjectItem(seconds, "total"))
@@ -694,20 +697,17 @@ static murk_status make_step(murk_follow *follow, step_work *step,
     return status;
 }
 
-/* Removes the sensors that fail at the step. */
-static murk_status fail_sensors(murk_follow *follow, const step_work *step,
-                                murk_error *err)
+/* Lets the sensors of the plan before drift and fail until the step. */
+static murk_status advance(murk_follow *follow, const step_work *step,
+                           murk_error *err)
 {
-    const murk_scene_timeline *timeline = &follow->session.scene->timeline;
-    murk_status status = MURK_OK;
-    for (size_t i = 0; i < timeline->tracks && !status; ++i) {
-        const murk_scene_track *track = &timeline->track[i];
-        if (track->fails && step->t_s >= track->fails_at_s) {
-            status = murk_sequence_fail(&follow->sequence, step->number,
-                                        step->t_s, track->sensor, err);
-        }
+    if (step->number == 0) {
+        return MURK_OK;
     }
-    return status;
+    murk_call call = murk_call_begin(follow->scene->context, NULL, err);
+    return murk_call_end(
+        &call, murk_sequence_advance(&follow->sequence, follow->session.scene,
+                                     step->number, &call.failure));
 }
 
 /* Makes the step, and adds its row and what moved to the sequence. */
@@ -716,7 +716,7 @@ static murk_status do_step(murk_follow *follow, step_work *step,
 {
     murk_scene *scene = NULL;
     /* The scene at the time, with the sensors that are left as the start. */
-    murk_status status = fail_sensors(follow, step, err);
+    murk_status status = advance(follow, step, err);
     if (!status) {
         status = make_start(follow, step->number, &step->start, err);
     }
@@ -775,12 +775,6 @@ murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
 }
 
 /* ---- results ---- */
-
-static murk_follow_results results_of(const murk_follow *follow)
-{
-    return (murk_follow_results){follow->session.scene, &follow->sequence,
-                                 follow->steps, follow->reused};
-}
 
 murk_status murk_follow_fields(murk_follow *follow, const murk_fields **fields,
                                murk_error *error)

@@ -2,6 +2,8 @@
  * pairs are found by comparing each sensor with each. */
 #include "cases/sequence.h"
 
+#include "base/log.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,13 +51,20 @@ static murk_status add_move(murk_sequence *s, const murk_sequence_move *move,
     return MURK_OK;
 }
 
-murk_status murk_sequence_fail(murk_sequence *s, size_t step, double t_s,
-                               uint64_t number, murk_error *err)
+/* The index of a sensor; s->sensors if there is none of that number. */
+static size_t find_sensor(const murk_sequence *s, uint64_t number)
 {
     size_t i = 0;
     while (i < s->sensors && s->sensor[i].number != number) {
         ++i;
     }
+    return i;
+}
+
+murk_status murk_sequence_fail(murk_sequence *s, size_t step, double t_s,
+                               uint64_t number, murk_error *err)
+{
+    const size_t i = find_sensor(s, number);
     if (i == s->sensors) {
         return MURK_OK;
     }
@@ -70,13 +79,108 @@ murk_status murk_sequence_fail(murk_sequence *s, size_t step, double t_s,
     return add_move(s, &move, err);
 }
 
+/* ---- drift ---- */
+
+/* An angle that was turned, within -360 to 360 degrees, as files have it. */
+static double turned(double angle_rad, double by_rad)
+{
+    return by_rad == 0 ? angle_rad : remainder(angle_rad + by_rad, 2 * MURK_PI);
+}
+
+murk_status murk_sequence_drift(murk_sequence *s, size_t step, double t_s,
+                                uint64_t number, const murk_drift *by,
+                                murk_error *err)
+{
+    const size_t i = find_sensor(s, number);
+    const bool is_still = by->offset_m.x == 0 && by->offset_m.y == 0 &&
+                          by->offset_m.z == 0 && by->heading_rad == 0 &&
+                          by->tilt_rad == 0;
+    if (i == s->sensors || is_still) {
+        return MURK_OK;
+    }
+    murk_sequence_sensor *sensor = &s->sensor[i];
+    const murk_pose from = sensor->pose;
+    murk_pose *to = &sensor->pose;
+    to->position = murk_add(to->position, by->offset_m);
+    to->heading_rad = turned(to->heading_rad, by->heading_rad);
+    /* No camera tilts beyond straight up or down. */
+    to->tilt_rad =
+        fmax(-MURK_PI / 2, fmin(MURK_PI / 2, to->tilt_rad + by->tilt_rad));
+    sensor->has_drifted = true;
+    const murk_sequence_move move = {.step = step,
+                                     .t_s = t_s,
+                                     .sensor = number,
+                                     .change = MURK_SENSOR_DRIFTED,
+                                     .from = from,
+                                     .to = *to};
+    return add_move(s, &move, err);
+}
+
+/* Lets the sensor of a track drift between two times. */
+static murk_status drift(murk_sequence *s, const murk_scene_desc *scene,
+                         const murk_scene_track *track, size_t step,
+                         double from_s, double t_s, murk_error *err)
+{
+    const size_t i = find_sensor(s, track->sensor);
+    const murk_drift before = murk_timeline_drift(track, from_s),
+                     now = murk_timeline_drift(track, t_s);
+    murk_drift by = {murk_sub(now.offset_m, before.offset_m),
+                     now.heading_rad - before.heading_rad,
+                     now.tilt_rad - before.tilt_rad};
+    if (i < s->sensors &&
+        scene->sensors.type[s->sensor[i].pose.type].view == MURK_VIEW_SPHERE) {
+        by.heading_rad = by.tilt_rad = 0;
+    }
+    return murk_sequence_drift(s, step, t_s, track->sensor, &by, err);
+}
+
+murk_status murk_sequence_advance(murk_sequence *s,
+                                  const murk_scene_desc *scene, size_t step,
+                                  murk_error *err)
+{
+    const murk_scene_timeline *timeline = &scene->timeline;
+    const double from_s = murk_timeline_time_s(timeline, step - 1),
+                 t_s = murk_timeline_time_s(timeline, step);
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < timeline->tracks && !status; ++i) {
+        const murk_scene_track *track = &timeline->track[i];
+        if (track->kind != MURK_TRACK_SENSOR ||
+            track->sensor < scene->sensors.fixed_listed) {
+            continue;
+        }
+        /* A sensor fails once: one that gets its number later does not. */
+        const bool fails = track->fails && from_s < track->fails_at_s &&
+                           track->fails_at_s <= t_s;
+        if (fails && find_sensor(s, track->sensor) == s->sensors) {
+            murk_warn(track->where,
+                      "sensor: no sensor has the number %zu when it fails, at "
+                      "%g s; sensors.count is lower by one only if it is more "
+                      "than this number",
+                      (size_t)track->sensor, track->fails_at_s);
+        } else if (fails) {
+            status = murk_sequence_fail(s, step, t_s, track->sensor, err);
+        }
+        if (!status && track->keyframes > 0) {
+            status = drift(s, scene, track, step, from_s, t_s, err);
+        }
+    }
+    return status;
+}
+
 /* ---- pairs ---- */
+
+/* Poses that differ by less are the same: a pose that is written to a file and
+ * read differs by rounding, and a sensor is not moved by a micrometre. */
+#define SAME_M   1e-6
+#define SAME_RAD 1e-8
 
 static bool is_same(const murk_pose *a, const murk_pose *b)
 {
-    return a->type == b->type && a->position.x == b->position.x &&
-           a->position.y == b->position.y && a->position.z == b->position.z &&
-           a->heading_rad == b->heading_rad && a->tilt_rad == b->tilt_rad;
+    const murk_vec3 d = murk_sub(a->position, b->position);
+    return a->type == b->type && murk_dot(d, d) <= SAME_M * SAME_M &&
+           fabs(remainder(a->heading_rad - b->heading_rad, 2 * MURK_PI)) <=
+               SAME_RAD &&
+           fabs(a->tilt_rad - b->tilt_rad) <= SAME_RAD;
 }
 
 #define NONE SIZE_MAX
@@ -162,13 +266,15 @@ static murk_status note_changes(murk_sequence *s, const pairs *p, size_t step,
             .change = is_added ? MURK_SENSOR_ADDED : MURK_SENSOR_MOVED,
             .sensor = is_added ? s->next++ : p->old[k].number,
             .to = p->new[i]};
-        sensor[i] = (murk_sequence_sensor){move.sensor, p->new[i]};
+        sensor[i] = (murk_sequence_sensor){move.sensor, p->new[i], false};
         if (!is_added) {
             move.from = p->old[k].pose;
         }
         if (is_added || !is_same(&move.from, &move.to)) {
             ++*moved;
             status = add_move(s, &move, err);
+        } else {
+            sensor[i].has_drifted = p->old[k].has_drifted;
         }
     }
     return status;

@@ -8,6 +8,7 @@
 
 #include "base/stats.h"
 #include "base/status.h"
+#include "scene/timeline.h"
 #include "sensing/sensor.h"
 
 #include <stdbool.h>
@@ -18,7 +19,8 @@ typedef enum murk_sequence_change {
     MURK_SENSOR_ADDED,
     MURK_SENSOR_MOVED,
     MURK_SENSOR_REMOVED,
-    MURK_SENSOR_FAILED
+    MURK_SENSOR_FAILED,
+    MURK_SENSOR_DRIFTED
 } murk_sequence_change;
 
 /* A change of one sensor at a step. */
@@ -27,14 +29,16 @@ typedef struct murk_sequence_move {
     double t_s;
     uint64_t sensor; /* number, which a sensor keeps when it moves */
     murk_sequence_change change;
-    murk_pose from, to; /* `from` has no meaning for ADDED, `to` only for ADDED
-                         * and MOVED */
+    murk_pose from, to; /* `from` has no meaning for ADDED, `to` none for
+                         * REMOVED and FAILED */
 } murk_sequence_move;
 
 /* A sensor of the last plan. */
 typedef struct murk_sequence_sensor {
     uint64_t number;
     murk_pose pose;
+    bool has_drifted; /* since it was placed or moved: the pose is then that of
+                       * no candidate */
 } murk_sequence_sensor;
 
 /* The figures of a step; numbers that a step does not have are NaN. */
@@ -48,6 +52,8 @@ typedef struct murk_sequence_row {
     size_t moved; /* sensors of the plan that were not in the plan before */
     double seconds;
     char failed[256]; /* why the step has no plan; empty: it has one */
+    size_t sensors;   /* of the plan, with the fixed ones */
+    char cut_by[16];  /* what ended the search; empty: nothing did */
 } murk_sequence_row;
 
 typedef struct murk_sequence {
@@ -72,11 +78,24 @@ murk_status murk_sequence_add(murk_sequence *sequence,
 murk_status murk_sequence_fail(murk_sequence *sequence, size_t step, double t_s,
                                uint64_t number, murk_error *err);
 
+/* Displaces a sensor until the step. Does nothing if there is none of that
+ * number, or if the pose stays. Fails with MURK_NO_MEMORY. */
+murk_status murk_sequence_drift(murk_sequence *sequence, size_t step,
+                                double t_s, uint64_t number,
+                                const murk_drift *by, murk_error *err);
+
+/* Lets the sensors drift and fail as the tracks of the timeline say from step
+ * `step` - 1 until `step`, which is at least 1. A warning tells of a sensor
+ * that fails but does not exist. Fails with MURK_NO_MEMORY. */
+murk_status murk_sequence_advance(murk_sequence *sequence,
+                                  const murk_scene_desc *scene, size_t step,
+                                  murk_error *err);
+
 /* Makes pose[n] the sensors of the step. A sensor at the pose of one of the
- * plan before is this sensor. Of the others, the pair of equal type at the
- * least distance is a sensor that moved, and so on; what is left over was added
- * or removed. *moved becomes the number of sensors that were added or moved.
- * Fails with MURK_NO_MEMORY. */
+ * plan before, but for rounding, is this sensor. Of the others, the pair of
+ * equal type at the least distance is a sensor that moved, and so on; what is
+ * left over was added or removed. *moved becomes the number of sensors that
+ * were added or moved. Fails with MURK_NO_MEMORY. */
 murk_status murk_sequence_take(murk_sequence *sequence, size_t step, double t_s,
                                const murk_pose *pose, size_t n, size_t *moved,
                                murk_error *err);

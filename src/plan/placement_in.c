@@ -22,14 +22,19 @@ typedef struct reading {
     const murk_scene_desc *scene;
     const murk_domain *domain;
     murk_pose *sensor; /* [n] */
+    bool *is_drifted;  /* [n] */
     size_t n;
+    bool may_drift; /* the column `drifted` counts */
 } reading;
 
 static murk_status allocate(reading *r, size_t n, murk_error *err)
 {
     r->n = n;
     r->sensor = calloc(n + 1, sizeof *r->sensor);
-    return r->sensor ? MURK_OK : murk_no_memory(err, r->path, "to read it");
+    r->is_drifted = calloc(n + 1, sizeof *r->is_drifted);
+    return r->sensor && r->is_drifted
+               ? MURK_OK
+               : murk_no_memory(err, r->path, "to read it");
 }
 
 /* The numbers of a sensor in a file; angles are NAN if the file gives none. */
@@ -56,7 +61,7 @@ static murk_status add_sensor(reading *r, size_t i, const char *where,
     /* The position must lie in the domain. */
     const murk_vec3 local =
         murk_scene_local(r->scene, murk_vec(p[X], p[Y], p[Z]));
-    if (!murk_box_contains(&r->domain->box, local)) {
+    if (!r->is_drifted[i] && !murk_box_contains(&r->domain->box, local)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "sensor at %s m lies outside the domain",
                          murk_position_show(local).text);
@@ -107,6 +112,9 @@ static murk_status read_row(reading *r, const murk_table *table, size_t i,
             return status;
         }
     }
+    const long drifted = murk_table_column(table, "drifted");
+    r->is_drifted[i] = r->may_drift && drifted >= 0 &&
+                       strcmp(cell_of(table, i, drifted), "1") == 0;
     char where[320];
     snprintf(where, sizeof where, "%s:%d", table->path, table->line[i]);
     return add_sensor(r, i, where, cell_of(table, i, column[0]), p, err);
@@ -208,20 +216,48 @@ static murk_status read_json(reading *r, murk_error *err)
     return status;
 }
 
+/* Reads the file; after a failure the arrays of `r` are NULL. */
+static murk_status read_file(reading *r, murk_error *err)
+{
+    const char *dot = strrchr(r->path, '.');
+    const murk_status status =
+        dot && strcmp(dot, ".json") == 0 ? read_json(r, err) : read_csv(r, err);
+    if (status) {
+        free(r->sensor);
+        free(r->is_drifted);
+        r->sensor = NULL;
+        r->is_drifted = NULL;
+    }
+    return status;
+}
+
 murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
                                 size_t min, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err)
 {
     reading r = {.path = path, .min = min, .scene = scene, .domain = domain};
-    const char *dot = strrchr(path, '.');
-    const murk_status status = dot && strcmp(dot, ".json") == 0
-                                   ? read_json(&r, err)
-                                   : read_csv(&r, err);
-    if (status) {
-        free(r.sensor);
-        return status;
+    const murk_status status = read_file(&r, err);
+    free(r.is_drifted);
+    if (!status) {
+        *out = r.sensor;
+        *n = r.n;
     }
-    *out = r.sensor;
-    *n = r.n;
-    return MURK_OK;
+    return status;
+}
+
+murk_status murk_placement_read_start(murk_pose **out, bool **is_drifted,
+                                      size_t *n, const char *path,
+                                      const murk_scene_desc *scene,
+                                      const murk_domain *domain,
+                                      murk_error *err)
+{
+    reading r = {
+        .path = path, .scene = scene, .domain = domain, .may_drift = true};
+    const murk_status status = read_file(&r, err);
+    if (!status) {
+        *out = r.sensor;
+        *is_drifted = r.is_drifted;
+        *n = r.n;
+    }
+    return status;
 }

@@ -18,4 +18,13 @@ murk_status murk_placement_read(murk_pose **out, size_t *n, const char *path,
                                 size_t min, const murk_scene_desc *scene,
                                 const murk_domain *domain, murk_error *err);
 
+/* The same for the plan at which a search begins: (*is_drifted)[i] is true if a
+ * CSV file has 1 in the column `drifted`, for a sensor that is no longer at the
+ * pose at which it was placed. It may lie outside of the domain. */
+murk_status murk_placement_read_start(murk_pose **out, bool **is_drifted,
+                                      size_t *n, const char *path,
+                                      const murk_scene_desc *scene,
+                                      const murk_domain *domain,
+                                      murk_error *err);
+
 #endif

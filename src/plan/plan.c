@@ -10,6 +10,7 @@
 #include "placement/at_least.h"
 #include "plan/row_cache.h"
 #include "plan/start_plan.h"
+#include "plan/start_sensors.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,6 +84,34 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                : status;
 }
 
+/* Makes the poses, and chooses those at which the search begins: at a plan that
+ * is updated, or at that of the scene, of which sensors that have drifted are
+ * poses, too. */
+static murk_status make_poses(murk_plan_result *plan, const murk_stage *stage,
+                              murk_error *err)
+{
+    const murk_candidates *sites = plan->candidates;
+    murk_start_sensors start = {0};
+    murk_status status =
+        plan->start_sensor ? MURK_OK
+                           : murk_start_sensors_read(&start, stage, sites, err);
+    if (!status) {
+        status = murk_poses_create_with(
+            &plan->poses, stage->scene, &stage->world.domain, sites->position,
+            sites->usable, start.drifted, start.n_drifted, err);
+    }
+    if (!status && plan->start_sensor) {
+        status = murk_start_plan_take(plan->poses, plan->start_sensor,
+                                      plan->start_sensors,
+                                      "the plan that is updated", err);
+    } else if (!status && stage->scene->placement.start_plan) {
+        status = murk_start_plan_take(plan->poses, start.pose, start.n,
+                                      stage->scene->placement.start_plan, err);
+    }
+    murk_start_sensors_release(&start);
+    return status;
+}
+
 murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
                               unsigned threads, murk_error *err)
 {
@@ -93,18 +122,7 @@ murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
         status = murk_sites_find(&plan->candidates, stage, threads, err);
     }
     if (!status) {
-        status = murk_poses_create(
-            &plan->poses, stage->scene, &stage->world.domain,
-            plan->candidates->position, plan->candidates->usable, err);
-    }
-    /* The search begins at a plan that is updated, or at that of the scene. */
-    if (!status) {
-        status = plan->start_sensor
-                     ? murk_start_plan_take(plan->poses, plan->start_sensor,
-                                            plan->start_sensors,
-                                            "the plan that is updated", err)
-                     : murk_start_plan_match(plan->poses, stage->scene,
-                                             &stage->world.domain, err);
+        status = make_poses(plan, stage, err);
     }
     if (!status && stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
         status = murk_explore_start(&plan->start, stage, plan->candidates,

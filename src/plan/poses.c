@@ -267,6 +267,16 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err)
 {
+    return murk_poses_create_with(out, scene, domain, site, n, NULL, 0, err);
+}
+
+murk_status murk_poses_create_with(murk_poses **out,
+                                   const murk_scene_desc *scene,
+                                   const murk_domain *domain,
+                                   const murk_vec3 *site, size_t n,
+                                   const murk_pose *drifted, size_t n_drifted,
+                                   murk_error *err)
+{
     const murk_scene_sensors *settings = &scene->sensors;
     murk_poses *p = calloc(1, sizeof *p);
     murk_status status = MURK_OK;
@@ -285,7 +295,7 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
     }
     if (p) {
         p->fixed = settings->n_fixed;
-        p->count = (size_t)each * n + p->fixed;
+        p->count = (size_t)each * n + n_drifted + p->fixed;
     }
     /* Allocate, and write the poses of each site. */
     if (!p || !allocate(p, settings->types)) {
@@ -296,9 +306,13 @@ murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
     for (size_t i = 0; i < n; ++i) {
         at += fill_site(p, settings, site[i], (uint32_t)i, at);
     }
+    for (size_t i = 0; i < n_drifted; ++i) {
+        p->site[at] = (uint32_t)(n + i);
+        p->pose[at++] = drifted[i];
+    }
     assert(at + p->fixed == p->count);
     /* Append the fixed sensors; check the constraints. */
-    status = place_fixed(p, settings, domain, (uint32_t)n, err);
+    status = place_fixed(p, settings, domain, (uint32_t)(n + n_drifted), err);
     if (!status && settings->count > p->count) {
         status = murk_fail(err, MURK_BAD_VALUE, settings->where,
                            "count: %llu sensors, but only %zu candidates",

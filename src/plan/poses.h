@@ -13,7 +13,7 @@
 
 typedef struct murk_poses {
     murk_pose *pose; /* [count]; ordered by site, then type, heading, tilt;
-                      * fixed sensors last */
+                      * then sensors that have drifted; fixed sensors last */
     size_t count, fixed;
     murk_constraints constraints; /* 0 for constraints that the scene does not
                                    * have */
@@ -45,6 +45,14 @@ typedef struct murk_poses {
 murk_status murk_poses_create(murk_poses **out, const murk_scene_desc *scene,
                               const murk_domain *domain, const murk_vec3 *site,
                               size_t n, murk_error *err);
+/* The same with further poses drifted[n_drifted], each with a site of its own:
+ * sensors that stand where no candidate is, and may stay there. */
+murk_status murk_poses_create_with(murk_poses **out,
+                                   const murk_scene_desc *scene,
+                                   const murk_domain *domain,
+                                   const murk_vec3 *site, size_t n,
+                                   const murk_pose *drifted, size_t n_drifted,
+                                   murk_error *err);
 void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 
 /* Compares two murk_vec3 by x, then y, then z, for qsort() and bsearch(). */

@@ -2,9 +2,11 @@
  * summary of murk follow. */
 #include "results/follow.h"
 
+#include "results/coverage.h"
 #include "results/summary.h"
 
 #include <math.h>
+#include <string.h>
 
 void murk_results_list_follow_row(murk_results_fields *f, const void *of,
                                   size_t i)
@@ -37,6 +39,22 @@ void murk_results_list_follow_row(murk_results_fields *f, const void *of,
     MURK_NUMBER(f, "seconds", "s", "of the step", r->seconds);
     MURK_NUMBER(f, "cost", "", "of the sensors", r->cost);
     MURK_TEXT(f, "failed", "why the step has no plan", r->failed);
+    MURK_COUNT(f, "sensors", "of the plan, with the fixed ones", r->sensors);
+    MURK_TEXT(f, "cut_by", "what ended the search, as in plan.json", r->cut_by);
+}
+
+/* ---- the start of a step ---- */
+
+void murk_results_list_start(murk_results_fields *f, const void *of, size_t i)
+{
+    const murk_follow_results *r = of;
+    const murk_sequence_sensor *sensor = r ? &r->sequence->sensor[i] : NULL;
+    const murk_sensor_results one = {
+        .scene = r ? r->scene : NULL, .pose = r ? &sensor->pose : NULL, .n = 1};
+    murk_results_list_place(f, r ? &one : NULL, 0);
+    MURK_COUNT(f, "drifted",
+               "1: the pose is that of no candidate, and the sensor may stay",
+               sensor->has_drifted);
 }
 
 /* ---- moves ---- */
@@ -46,7 +64,8 @@ static const char *change_of(const murk_sequence_move *m)
     static const char *const words[] = {[MURK_SENSOR_ADDED] = "added",
                                         [MURK_SENSOR_MOVED] = "moved",
                                         [MURK_SENSOR_REMOVED] = "removed",
-                                        [MURK_SENSOR_FAILED] = "failed"};
+                                        [MURK_SENSOR_FAILED] = "failed",
+                                        [MURK_SENSOR_DRIFTED] = "drifted"};
     return words[m->change];
 }
 
@@ -66,7 +85,7 @@ static murk_vec3 from_of(const murk_follow_results *r, size_t i)
 
 static bool goes_somewhere(const murk_sequence_move *m)
 {
-    return m->change == MURK_SENSOR_ADDED || m->change == MURK_SENSOR_MOVED;
+    return m->change != MURK_SENSOR_REMOVED && m->change != MURK_SENSOR_FAILED;
 }
 
 static murk_vec3 to_of(const murk_follow_results *r, size_t i)
@@ -96,7 +115,8 @@ void murk_results_list_move(murk_results_fields *f, const void *of, size_t i)
                "number, which a sensor keeps when it moves; those of the first "
                "plan follow those of sensors.fixed",
                m->sensor);
-    MURK_TEXT(f, "change", "added, moved, removed or failed", change_of(m));
+    MURK_TEXT(f, "change", "added, moved, removed, failed or drifted",
+              change_of(m));
     MURK_TEXT(
         f, "type", "of the sensor",
         r->scene->sensors.type[goes_somewhere(m) ? m->to.type : m->from.type]
@@ -148,11 +168,12 @@ void murk_print_follow(const void *of)
     const murk_follow_results *r = of;
     const murk_sequence *s = r->sequence;
     const murk_sequence_row *lowest = NULL, *highest = NULL;
-    size_t moved = 0;
+    size_t moved = 0, late = 0;
     /* The first step places all sensors, which is no move. */
     for (size_t i = 0; i < s->rows; ++i) {
         const murk_sequence_row *row = &s->row[i];
         moved += i > 0 ? row->moved : 0;
+        late += strcmp(row->cut_by, "time") == 0;
         if (isfinite(row->coverage.value)) {
             lowest = !lowest || row->coverage.value < lowest->coverage.value
                          ? row
@@ -173,4 +194,9 @@ void murk_print_follow(const void *of)
                    highest->coverage.standard_error, highest->t_s);
     }
     murk_print("moved       %zu times a sensor after the first step\n", moved);
+    if (late > 0) {
+        murk_print("time limit  ended the search of %zu steps: another run may "
+                   "give other plans\n",
+                   late);
+    }
 }

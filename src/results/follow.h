@@ -20,6 +20,10 @@ void murk_results_list_follow(murk_results_fields *f, const void *of);
 void murk_results_list_follow_row(murk_results_fields *f, const void *of,
                                   size_t i);
 
+/* The columns of start.csv, the sensors of the last plan as they are when the
+ * search of a step begins; `of` points to a murk_follow_results. */
+void murk_results_list_start(murk_results_fields *f, const void *of, size_t i);
+
 /* The columns of moves.csv; `of` points to a murk_follow_results. */
 void murk_results_list_move(murk_results_fields *f, const void *of, size_t i);
 

@@ -31,6 +31,11 @@ static const murk_key KEYFRAME_ROWS[] = {
     ROW("position_m", VECTOR, LONG_M, KEYFRAME(position_m)),
     ROW("heading_deg", NUMBER, .min = -360, .max = 360, .unit = "degrees"),
     ROW("tilt_deg", NUMBER, .min = -90, .max = 90, .unit = "degrees"),
+    ROW("offset_m", VECTOR, LONG_M, KEYFRAME(offset_m)),
+    ROW("heading_offset_deg", NUMBER, .min = -360, .max = 360, RADIANS,
+        KEYFRAME(heading_offset_rad)),
+    ROW("tilt_offset_deg", NUMBER, .min = -180, .max = 180, RADIANS,
+        KEYFRAME(tilt_offset_rad)),
     ROW("value", OWN, .read = read_any, .allowed = "a value of the key",
         .schema = "{}"),
     END,
@@ -47,13 +52,15 @@ static const murk_keys KEYFRAME_KEYS = {
 /* True if a track of that kind may have keyframes with the key. */
 static bool suits(murk_track_kind kind, const char *key)
 {
-    static const char *const keys[][5] = {
+    static const char *const keys[][8] = {
         [MURK_TRACK_GEOMETRY] = {"t_s", "translate_m", "rotate_deg"},
         [MURK_TRACK_KEY] = {"t_s", "value"},
-        [MURK_TRACK_SENSOR] = {"t_s", "position_m", "heading_deg", "tilt_deg"},
+        [MURK_TRACK_SENSOR] = {"t_s", "position_m", "heading_deg", "tilt_deg",
+                               "offset_m", "heading_offset_deg",
+                               "tilt_offset_deg"},
     };
     bool is_found = false;
-    for (int i = 0; i < 5 && keys[kind][i]; ++i) {
+    for (int i = 0; i < 8 && keys[kind][i]; ++i) {
         is_found = is_found || strcmp(keys[kind][i], key) == 0;
     }
     return is_found;

@@ -369,7 +369,8 @@ typedef struct murk_scene_sensors {
     bool one_per_site;
     murk_scene_candidates candidates;
     double spacing_m; /* smallest distance between sensors */
-    uint64_t count;   /* 0: not given, or all have failed */
+    uint64_t count;   /* without sensors that have failed; 0: not given, or all
+                       * have failed */
     bool all_failed;  /* a count was given, and so many sensors have failed */
     double target;    /* coverage 0..1; 0: not given */
     double budget;    /* in the units of the types' costs; 0: not given */
@@ -505,7 +506,9 @@ typedef struct murk_scene_track {
 typedef struct murk_scene_keyframe {
     double t_s;
     murk_vec3 translate_m, rotate_deg; /* geometry */
-    murk_vec3 position_m;              /* sensors */
+    murk_vec3 position_m;              /* sensors of `fixed` */
+    murk_vec3 offset_m;                /* other sensors: their drift */
+    double heading_offset_rad, tilt_offset_rad;
 } murk_scene_keyframe;
 
 /* The times of a scene that changes, in seconds after site.time. */

@@ -72,7 +72,27 @@ static bracket find(const murk_scene_track *track, double t_s)
         return (bracket){only, only, 0};
     }
     const double from = frame[after - 1].t_s, to = frame[after].t_s;
-    return (bracket){after - 1, after, (t_s - from) / (to - from)};
+    bracket out = {after - 1, after, (t_s - from) / (to - from)};
+    /* A value that holds, or the nearer one, is that of one keyframe. */
+    if (track->between == MURK_BETWEEN_NEAREST && out.weight >= 0.5) {
+        out.before = after;
+    }
+    if (track->between != MURK_BETWEEN_LINEAR) {
+        out.weight = 0;
+    }
+    return out;
+}
+
+murk_drift murk_timeline_drift(const murk_scene_track *track, double t_s)
+{
+    const bracket at = find(track, t_s);
+    const murk_scene_keyframe *a = &track->keyframe[at.before],
+                              *b = &track->keyframe[at.after];
+    const double u = 1 - at.weight, v = at.weight;
+    return (murk_drift){
+        murk_add(murk_scale(u, a->offset_m), murk_scale(v, b->offset_m)),
+        u * a->heading_offset_rad + v * b->heading_offset_rad,
+        u * a->tilt_offset_rad + v * b->tilt_offset_rad};
 }
 
 static murk_yaml *number_node(double value, const char *source)
@@ -207,14 +227,7 @@ static murk_status put_member(changes *c, const murk_scene_track *track,
     const size_t number = (size_t)(track - c->timeline->track);
     const murk_yaml *frames =
         murk_yaml_get(c->tracks->child[number], "keyframes");
-    bracket at = find(track, c->timeline->at_s);
-    /* A value that holds, or the nearer one, is that of one keyframe. */
-    if (track->between == MURK_BETWEEN_NEAREST && at.weight >= 0.5) {
-        at.before = at.after;
-    }
-    if (track->between != MURK_BETWEEN_LINEAR) {
-        at.weight = 0;
-    }
+    const bracket at = find(track, c->timeline->at_s);
     const murk_yaml *a = murk_yaml_get(frames->child[at.before], member),
                     *b = murk_yaml_get(frames->child[at.after], member);
     return a && b ? put(c, track, path, between(a, b, at.weight)) : MURK_OK;
@@ -501,15 +514,60 @@ static murk_status set_failed(changes *c, const murk_scene_track *track)
     return put(c, track, path, failed);
 }
 
-/* Moves a fixed sensor, or marks it as failed. Of the other sensors of a plan
- * the scene knows no more than how many have failed (murk_timeline_finish()).
- */
-static murk_status set_sensor(changes *c, const murk_scene_track *track)
+/* Checks a track of a sensor that is planned. The scene knows no more of such
+ * sensors than how many have failed (murk_timeline_finish()): drift concerns
+ * plans that follow each other alone. */
+static murk_status check_planned(changes *c, const murk_scene_track *track,
+                                 const murk_yaml *frame, size_t fixed)
+{
+    char path[PATH_SIZE];
+    for (size_t i = 0; frame && i < frame->n; ++i) {
+        const char *member = frame->key[i];
+        if (strcmp(member, "t_s") != 0 && !strstr(member, "offset")) {
+            return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                             "sensor: %zu has keyframes of %s, which only the "
+                             "%zu of sensors.fixed may have; others have "
+                             "offset_m",
+                             (size_t)track->sensor, member, fixed);
+        }
+    }
+    snprintf(path, sizeof path, "drift.%zu", (size_t)track->sensor);
+    return frame ? note_path(c, path, track->where) : MURK_OK;
+}
+
+/* Moves a fixed sensor, or marks it as failed. */
+static murk_status set_fixed(changes *c, const murk_scene_track *track,
+                             const murk_yaml *frame)
 {
     static const char *const members[] = {"position_m", "heading_deg",
                                           "tilt_deg"};
+    char path[PATH_SIZE];
+    murk_status status = MURK_OK;
+    for (size_t i = 0; frame && i < frame->n; ++i) {
+        if (strstr(frame->key[i], "offset")) {
+            return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                             "sensor: %zu is of sensors.fixed, whose keyframes "
+                             "have position_m, heading_deg and tilt_deg, not "
+                             "%s",
+                             (size_t)track->sensor, frame->key[i]);
+        }
+    }
+    for (int i = 0; i < 3 && frame && !status; ++i) {
+        snprintf(path, sizeof path, "sensors.fixed.%zu.%s",
+                 (size_t)track->sensor, members[i]);
+        status = put_member(c, track, members[i], path);
+    }
+    return status || !track->fails ? status : set_failed(c, track);
+}
+
+static murk_status set_sensor(changes *c, const murk_scene_track *track)
+{
+    const size_t number = (size_t)(track - c->timeline->track);
     const murk_yaml *sensors = murk_yaml_get(c->root, "sensors"),
-                    *fixed = sensors ? murk_yaml_get(sensors, "fixed") : NULL;
+                    *fixed = sensors ? murk_yaml_get(sensors, "fixed") : NULL,
+                    *frames =
+                        murk_yaml_get(c->tracks->child[number], "keyframes"),
+                    *frame = frames ? frames->child[0] : NULL;
     const size_t n = fixed && fixed->kind == MURK_YAML_LIST ? fixed->n : 0;
     murk_status status = MURK_OK;
     char path[PATH_SIZE];
@@ -522,20 +580,8 @@ static murk_status set_sensor(changes *c, const murk_scene_track *track)
     if (status) {
         return status;
     }
-    if (track->sensor >= n) {
-        return track->keyframes == 0
-                   ? MURK_OK
-                   : murk_fail(c->err, MURK_BAD_VALUE, track->where,
-                               "sensor: %zu has keyframes, which only the %zu "
-                               "of sensors.fixed may have",
-                               (size_t)track->sensor, n);
-    }
-    for (int i = 0; i < 3 && track->keyframes > 0 && !status; ++i) {
-        snprintf(path, sizeof path, "sensors.fixed.%zu.%s",
-                 (size_t)track->sensor, members[i]);
-        status = put_member(c, track, members[i], path);
-    }
-    return status || !track->fails ? status : set_failed(c, track);
+    return track->sensor < n ? set_fixed(c, track, frame)
+                             : check_planned(c, track, frame, n);
 }
 
 /* ---- all tracks ---- */
@@ -675,13 +721,18 @@ murk_status murk_timeline_add_conditions(murk_yaml *root, murk_error *err)
     return status;
 }
 
-/* The number of sensors that have failed. */
-static uint64_t count_failed(const murk_scene_timeline *timeline)
+/* The number of sensors that have failed. A number that no sensor of a plan of
+ * so many has does not count. */
+static uint64_t count_failed(const murk_scene_desc *scene)
 {
+    const murk_scene_timeline *timeline = &scene->timeline;
+    const murk_scene_sensors *sensors = &scene->sensors;
     uint64_t failed = 0;
     for (size_t i = 0; i < timeline->tracks; ++i) {
         const murk_scene_track *track = &timeline->track[i];
-        failed += track->fails && timeline->at_s >= track->fails_at_s;
+        failed += track->fails && timeline->at_s >= track->fails_at_s &&
+                  (track->sensor < sensors->count ||
+                   track->sensor < sensors->fixed_listed);
     }
     return failed;
 }
@@ -702,7 +753,7 @@ void murk_timeline_finish(murk_scene_desc *scene)
         }
     }
     sensors->n_fixed = n;
-    const uint64_t failed = count_failed(&scene->timeline);
+    const uint64_t failed = count_failed(scene);
     sensors->all_failed = sensors->count > 0 && failed >= sensors->count;
     if (sensors->count > 0) {
         sensors->count -= sensors->all_failed ? sensors->count : failed;

@@ -28,7 +28,8 @@ murk_status murk_timeline_add_conditions(murk_yaml *root, murk_error *err);
 
 /* For the structs of a scene that was read from such a tree: advances the
  * clocks of the scene and of its lights by at_s, removes the fixed sensors that
- * have failed, and lowers sensors.count by the number of all that have. */
+ * have failed, and lowers sensors.count by the number of all that have. Numbers
+ * of sensors that are sensors.count or more do not count. */
 void murk_timeline_finish(murk_scene_desc *scene);
 
 /* The number of steps, at least 1, and the time of step i [s]. */
@@ -38,6 +39,17 @@ double murk_timeline_time_s(const murk_scene_timeline *timeline, size_t i);
 /* True if powers of light sources may change in the course of the timeline: by
  * tracks of keys of lights or site, or by clocks. */
 bool murk_timeline_changes_power(const murk_scene_desc *scene);
+
+/* The displacement of a planned sensor. */
+typedef struct murk_drift {
+    murk_vec3 offset_m;
+    double heading_rad, tilt_rad;
+} murk_drift;
+
+/* The displacement of a track with keyframes at a time. A sensor that was
+ * placed at another time has drifted by the difference to the displacement at
+ * that time. */
+murk_drift murk_timeline_drift(const murk_scene_track *track, double t_s);
 
 /* The number of the file of a track of a medium at a time, counted from
  * first_frame at from_s: whole unless the track is interpolated linearly. False
