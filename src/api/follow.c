@@ -438,6 +438,7 @@ static void fill_row(step_work *step, const cJSON *plan)
     row->photons_kept = count_at(reused, "photons");
     row->pairs_kept = count_at(reused, "sightlines");
     row->pairs_looked = rays > 0 ? (uint64_t)rays - row->pairs_kept : 0;
+    /* What ended the search, and how many sensors it placed. */
     const char *cut = cJSON_GetStringValue(at(plan, "placement", "cut_by"));
     snprintf(row->cut_by, sizeof row->cut_by, "%s", cut ? cut : "");
     row->sensors =

@@ -54,6 +54,37 @@ static void test_nearest_pairs(void)
     murk_sequence_release(&s);
 }
 
+/* A sensor that drifts is no sensor that moves, and stays marked until it is
+ * moved. Rounding is no move. */
+static void test_drift(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 3);
+    const murk_drift by = {{0.5, 0, -1}, 0.25, 3}, none = {0};
+    const murk_pose first[] = {at(0, 0), at(7, 0)},
+                    second[] = {at(7, 0),
+                                {.position = {0.5 + 1e-9, 0, -1},
+                                 .heading_rad = 0.25 + 2 * MURK_PI,
+                                 .tilt_rad = MURK_PI / 2}},
+                    third[] = {at(7, 0), at(1, 0)};
+    take(&s, 0, first, 2, 2);
+    CHECK(murk_sequence_drift(&s, 1, 10, 3, &by, NULL) == MURK_OK);
+    CHECK(murk_sequence_drift(&s, 1, 10, 4, &none, NULL) == MURK_OK);
+    CHECK(murk_sequence_drift(&s, 1, 10, 8, &by, NULL) == MURK_OK);
+    CHECK(s.moves == 3 && s.move[2].change == MURK_SENSOR_DRIFTED);
+    CHECK(s.move[2].sensor == 3 && s.move[2].step == 1 && s.move[2].t_s == 10);
+    CHECK(s.move[2].from.position.x == 0 && s.move[2].to.position.x == 0.5 &&
+          s.move[2].to.position.z == -1 && s.move[2].to.heading_rad == 0.25);
+    CHECK(s.sensor[0].has_drifted && !s.sensor[1].has_drifted);
+    take(&s, 1, second, 2, 0);
+    CHECK(s.sensor[1].number == 3 && s.sensor[1].has_drifted);
+    CHECK(s.sensor[1].pose.position.x == 0.5 + 1e-9);
+    take(&s, 2, third, 2, 1);
+    CHECK(s.sensor[1].number == 3 && !s.sensor[1].has_drifted);
+    CHECK(s.moves == 4 && s.move[3].change == MURK_SENSOR_MOVED);
+    murk_sequence_release(&s);
+}
+
 static void test_other_types_are_added_and_removed(void)
 {
     murk_sequence s;
@@ -99,6 +130,7 @@ int main(void)
 {
     test_sensors_keep_their_numbers();
     test_nearest_pairs();
+    test_drift();
     test_other_types_are_added_and_removed();
     test_failures();
     return check_done();

@@ -196,9 +196,10 @@ static void test_sensors_drift_and_fail(void)
 {
     const char text[] = AT(
         "{sensor: 0, fails_at_s: 6, keyframes: [{t_s: 0, position_m: [1, 1, 1]}"
-        ", {t_s: 4, position_m: [3, 1, 1]}]}, {sensor: 9, fails_at_s: 0}")
-        SENSORS "count: 5, fixed: [{position_m: [1, 1, 1]}, {position_m: [4, "
-                "4, 4]}]}\n" LAMP;
+        ", {t_s: 4, position_m: [3, 1, 1]}]}, {sensor: 4, fails_at_s: 0}, "
+        "{sensor: 5, fails_at_s: 0}") SENSORS
+        "count: 5, fixed: [{position_m: [1, 1, 1]}, {position_m: [4, "
+        "4, 4]}]}\n" LAMP;
     murk_scene_desc *scene = read_at(text, "2");
     CHECK(scene->sensors.n_fixed == 2);
     CHECK(scene->sensors.fixed[0].position.x == 2);
@@ -210,7 +211,8 @@ static void test_sensors_drift_and_fail(void)
     scene = read_at(text, "6");
     CHECK(scene->sensors.n_fixed == 1);
     CHECK(scene->sensors.fixed[0].position.x == 4);
-    CHECK(scene->sensors.count == 3); /* sensors 0 and 9 have failed */
+    /* Sensors 0 and 4 have failed; a plan of 5 has no sensor of number 5. */
+    CHECK(scene->sensors.count == 3);
     murk_scene_desc *again = read_at(scene->resolved, NULL);
     CHECK(again->sensors.n_fixed == 1 && again->sensors.count == 3);
     murk_scene_desc_destroy(again);
@@ -218,6 +220,31 @@ static void test_sensors_drift_and_fail(void)
     again = read_at(scene->resolved, "5");
     CHECK(again->sensors.n_fixed == 2 && again->sensors.count == 4);
     murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
+}
+
+/* The displacement of a planned sensor, between keyframes and beyond them. */
+static void test_offsets(void)
+{
+    const char text[] =
+        AT("{sensor: 3, keyframes: [{t_s: 2, offset_m: [1, 0, -1], "
+           "heading_offset_deg: 0}, {t_s: 6, offset_m: [3, 1, -1], "
+           "heading_offset_deg: 90}]}, {sensor: 2, between: hold, keyframes: "
+           "[{t_s: 0, offset_m: [1, 0, 0]}, {t_s: 4, offset_m: [2, 0, 0]}]}")
+            SENSORS "count: 5}\n" LAMP;
+    murk_scene_desc *scene = read_at(text, "2");
+    const murk_scene_track *track = scene->timeline.track;
+    const murk_drift before = murk_timeline_drift(&track[0], -7),
+                     half = murk_timeline_drift(&track[0], 4),
+                     after = murk_timeline_drift(&track[0], 99);
+    CHECK(before.offset_m.x == 1 && before.offset_m.z == -1);
+    CHECK(before.heading_rad == 0);
+    CHECK(half.offset_m.x == 2 && half.offset_m.y == 0.5);
+    CHECK_NEAR(half.heading_rad, MURK_PI / 4, 1e-15);
+    CHECK(after.offset_m.x == 3 && after.tilt_rad == 0);
+    CHECK(murk_timeline_drift(&track[1], 3.9).offset_m.x == 1);
+    CHECK(murk_timeline_drift(&track[1], 4).offset_m.x == 2);
+    CHECK(scene->sensors.count == 5);
     murk_scene_desc_destroy(scene);
 }
 
@@ -401,8 +428,8 @@ static void test_refusals(void)
     CHECK_REFUSED(AT("{sensor: 1, keyframes: [{t_s: 0, position_m: [1, 1, 1]}]"
                      "}") SENSORS "fixed: [{position_m: [1, 1, 1]}]}\n" LAMP,
                   VALUE, "fog.yaml:3:54: timeline.tracks.0",
-                  "sensor: 1 has keyframes, which only the 1 of sensors.fixed "
-                  "may have");
+                  "sensor: 1 has keyframes of position_m, which only the 1 of "
+                  "sensors.fixed may have; others have offset_m");
     /* A name and an index are the same key; a light moves with one item, and a
      * condition does not set what a track sets. */
     CHECK_REFUSED(AT("{geometry: load, " MOVE "}, {key: "
@@ -440,6 +467,7 @@ int main(void)
     test_geometry_moves_with_its_lights();
     test_sequences_of_grids();
     test_sensors_drift_and_fail();
+    test_offsets();
     test_clocks_run();
     test_light_of_a_timeline_is_its_own();
     test_conditions_are_times();
