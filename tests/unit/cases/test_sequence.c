@@ -76,6 +76,7 @@ static void test_drift(void)
     CHECK(s.move[2].from.position.x == 0 && s.move[2].to.position.x == 0.5 &&
           s.move[2].to.position.z == -1 && s.move[2].to.heading_rad == 0.25);
     CHECK(s.sensor[0].has_drifted && !s.sensor[1].has_drifted);
+    /* The sensor stays where it has drifted to, then it moves. */
     take(&s, 1, second, 2, 0);
     CHECK(s.sensor[1].number == 3 && s.sensor[1].has_drifted);
     CHECK(s.sensor[1].pose.position.x == 0.5 + 1e-9);
