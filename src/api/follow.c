@@ -433,7 +433,13 @@ static void fill_row(step_work *step, const cJSON *plan)
     const double rays = number_at(plan, "placement", "shadow_rays");
     step->is_dark = !isfinite(in_sample.value);
     row->coverage = isfinite(held_out.value) ? held_out : in_sample;
+    /* The bound, and the rule on moves. */
     row->upper = number_at(plan, "bound", "upper");
+    const double free_upper = number_at(plan, "free", "upper");
+    row->in_sample = in_sample.value;
+    row->upper_free = isfinite(free_upper) ? free_upper : row->upper;
+    row->moves = number_at(plan, "moves", "count");
+    row->move_cost = number_at(plan, "moves", "cost");
     const cJSON *reused = at(plan, "run", "reused");
     row->photons_kept = count_at(reused, "photons");
     row->pairs_kept = count_at(reused, "sightlines");
@@ -540,7 +546,8 @@ static void note_failure(step_work *step, const murk_error *why)
 {
     murk_sequence_row *row = &step->row;
     row->coverage = (murk_estimate){NAN, NAN};
-    row->upper = row->cost = NAN;
+    row->upper = row->cost = row->in_sample = row->upper_free = NAN;
+    row->moves = row->move_cost = NAN;
     snprintf(row->failed, sizeof row->failed, "%s%s%s", why->where,
              why->where[0] ? ": " : "", why->text);
 }

@@ -4,6 +4,7 @@
 #include "api/save.h"
 
 #include "base/file.h"
+#include "plan/plan.h"
 #include "results/exports.h"
 #include "results/identity.h"
 
@@ -80,7 +81,8 @@ murk_status murk_save_without_exports(const murk_session *session,
 }
 
 /* Refuses more than MURK_REPEATS_MAX repeats; seeds of repeats beyond 32 bits;
- * the key at_least together with repeats or with the export lp; and, for
+ * the keys of murk_plan_single_key() together with repeats or with the export
+ * lp; and, for
  * repeats with placement.over, a condition whose seed differs from that of the
  * scene. `runs` 0: no repeats. */
 static murk_status check_repeat(const murk_session *session, uint64_t runs,
@@ -98,15 +100,17 @@ static murk_status check_repeat(const murk_session *session, uint64_t runs,
                          (unsigned long long)runs, (unsigned long)scene->seed);
     }
     /* Goals that repeats or the exported problem cannot state. */
-    if ((runs > 0 || session->settings.exports & MURK_EXPORT_LP) &&
-        murk_plan_at_least(scene) > 0) {
+    const char *key = murk_plan_single_key(scene);
+    if ((runs > 0 || session->settings.exports & MURK_EXPORT_LP) && key) {
         return murk_fail(err, MURK_BAD_VALUE, scene->placement.where,
-                         "at_least is given, which %s: %s",
+                         "%s is given, which %s: %s%s", key,
                          runs > 0 ? "repeats do not take"
                                   : "the export lp does not take",
-                         runs > 0 ? "place once for each seed, or use "
-                                    "placement.redundancy"
-                                  : "use the export matrix or or-library");
+                         runs > 0 ? "place once for each seed"
+                                  : "use the export matrix or or-library",
+                         runs > 0 && murk_plan_at_least(scene) > 0
+                             ? ", or use placement.redundancy"
+                             : "");
     }
     /* A seed fixed by a condition would be the same in all runs. */
     const bool has_conditions =

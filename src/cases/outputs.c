@@ -3,6 +3,7 @@
 #include "cases/outputs.h"
 
 #include "base/words.h"
+#include "plan/plan.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -88,8 +89,8 @@ static murk_status check_needs(const murk_outputs *out,
                          "coverage needs sensors, and the scene %s has none",
                          scene->path);
     }
-    /* A best plan needs a number of sensors, a target or a budget. A target
-     * together with placement.at_least is refused. */
+    /* A best plan needs a number of sensors, a target or a budget. Keys that
+     * ask for a plan of one scene alone are refused. */
     if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
         !places(scene)) {
         return murk_fail(err, MURK_BAD_VALUE, where,
@@ -97,13 +98,16 @@ static murk_status check_needs(const murk_outputs *out,
                          "and the scene %s has none",
                          scene->path);
     }
+    const char *key = murk_plan_single_key(scene);
     if ((out->wants[MURK_OUTPUT_BEST] || murk_outputs_plan_for_all(out)) &&
-        scene->placement.at_least > 0 && scene->sensors.target > 0) {
+        key) {
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "a best plan for placement.at_least, which %s has, is "
-                         "not supported in a study: run place for each row, or "
-                         "use placement.redundancy",
-                         scene->path);
+                         "a best plan for placement.%s, which %s has, is "
+                         "not supported in a study: run place for each row%s",
+                         key, scene->path,
+                         murk_plan_at_least(scene) > 0
+                             ? ", or use placement.redundancy"
+                             : "");
     }
     /* One plan for all rows cannot be explored, and the plan for the worst row
      * needs a known environment. */

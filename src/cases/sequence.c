@@ -167,6 +167,23 @@ murk_status murk_sequence_advance(murk_sequence *s,
     return status;
 }
 
+murk_sequence_hindsight murk_sequence_sum_up(const murk_sequence *s)
+{
+    murk_sequence_hindsight out = {0};
+    for (size_t i = 0; i < s->rows; ++i) {
+        const murk_sequence_row *row = &s->row[i];
+        if (isfinite(row->in_sample)) {
+            const double cost = isfinite(row->move_cost) ? row->move_cost : 0;
+            ++out.steps;
+            out.value += row->in_sample - cost;
+            out.held_out += row->coverage.value - cost;
+            out.upper += row->upper_free;
+        }
+    }
+    out.gap = fmax(0, out.upper - out.value); /* below 0 by rounding alone */
+    return out;
+}
+
 /* ---- pairs ---- */
 
 /* Poses that differ by less are the same: a pose that is written to a file and

@@ -49,6 +49,10 @@ typedef struct murk_sequence_row {
     uint64_t pairs_looked, pairs_kept;     /* sightlines of candidates */
     murk_estimate coverage;
     double upper, cost;
+    /* In sample: the coverage; the bound on any plan of as many sensors at this
+     * step alone, without a rule on moves. By the rule on moves: the moves from
+     * the plan before, and their cost as coverage. */
+    double in_sample, upper_free, moves, move_cost;
     size_t moved; /* sensors of the plan that were not in the plan before */
     double seconds;
     char failed[256]; /* why the step has no plan; empty: it has one */
@@ -65,6 +69,18 @@ typedef struct murk_sequence {
     size_t sensors;
     uint64_t next; /* number of the next sensor that is added */
 } murk_sequence;
+
+/* The sequence compared with the best that plans could have reached with
+ * knowledge of all steps: sums over the steps that have coverage. */
+typedef struct murk_sequence_hindsight {
+    size_t steps;
+    double value, held_out; /* coverage less the cost of moves, in sample and on
+                             * the second maps, if there are any */
+    double upper; /* no sequence of plans has a larger value in sample */
+    double gap;   /* upper - value */
+} murk_sequence_hindsight;
+
+murk_sequence_hindsight murk_sequence_sum_up(const murk_sequence *sequence);
 
 void murk_sequence_init(murk_sequence *out, uint64_t first);
 void murk_sequence_release(murk_sequence *sequence);

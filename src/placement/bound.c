@@ -273,6 +273,11 @@ static uint64_t sum_top(murk_bound *b, size_t n, size_t *chosen)
 static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
 {
     b->base = murk_multipliers_set(&b->multipliers, b->multiplier);
+    if (b->partial) { /* less the moves that the partial plan has made */
+        b->base =
+            murk_less_moves(b->partial->set, b->base,
+                            murk_moves_with(b->partial, b->partial->newcomers));
+    }
     murk_multipliers_gains(&b->multipliers, b->live, b->live_count, b->gain);
     b->evaluations += b->live_count;
     b->queries += b->evaluator->matrix ? 0 : b->live_count;

@@ -129,6 +129,10 @@ bool murk_constraint_set_may_drop(const murk_constraint_set *set, uint32_t a,
         !has_fewer_conflicts(set, a, b)) {
         return false;
     }
+    /* A newcomer does not replace a sensor of the start plan. */
+    if (set->is_start && set->is_start[b] && !set->is_start[a]) {
+        return false;
+    }
     /* If a and b are not in conflict, a plan may have both. A plan of exactly n
      * sensors that loses b can be filled up again for certain only if the set
      * has no conflicts; a plan within a budget need not be filled up unless the
@@ -211,6 +215,9 @@ static bool allocate(murk_constraint_set *set)
         murk_arena_array(arena, classes + 1, sizeof *set->class_first);
     if (set->constraints->site) {
         set->site = murk_arena_array(arena, n, sizeof *set->site);
+    }
+    if (set->constraints->start) {
+        set->is_start = murk_arena_array(arena, n, sizeof *set->is_start);
     }
     return !arena->is_short;
 }
@@ -321,6 +328,27 @@ static murk_status index_fixed(murk_constraint_set *set, murk_error *err)
         }
         set->is_fixed[j] = true;
     }
+    return MURK_OK;
+}
+
+/* Marks the start plan of a rule on moves. Minimum and maximum counts of
+ * classes together with the rule may leave a partial plan that no sensor
+ * completes, as conflicts do. */
+static murk_status index_start(murk_constraint_set *set, murk_error *err)
+{
+    const murk_constraints *constraints = set->constraints;
+    for (size_t k = 0; set->is_start && k < constraints->start_count; ++k) {
+        const uint32_t j = constraints->start[k];
+        if (j >= set->candidates || set->is_start[j]) {
+            return murk_fail(err, MURK_BAD_VALUE, "",
+                             "start plan with candidate %u, must be below %zu "
+                             "and be given once",
+                             j, set->candidates);
+        }
+        set->is_start[j] = !set->is_fixed[j];
+        set->starts += set->is_start[j];
+    }
+    set->has_conflicts |= set->is_start && (set->has_min || set->has_caps);
     return MURK_OK;
 }
 
@@ -476,6 +504,9 @@ murk_status murk_constraint_set_init(murk_constraint_set *out,
     }
     if (!status) {
         status = index_fixed(out, err);
+    }
+    if (!status) {
+        status = index_start(out, err);
     }
     if (!status) {
         status = check_count(out, count, is_max, err);

@@ -5,7 +5,15 @@
  * Without a budget a plan has exactly the wanted count of sensors. With a
  * budget a plan has at most that count. Fixed sensors belong to every plan.
  * They count towards the wanted count, their class and the budget, and their
- * conflicts hold. A fixed sensor that is paid for already has the cost 0. */
+ * conflicts hold. A fixed sensor that is paid for already has the cost 0.
+ *
+ * A rule on moves compares a plan with a start plan. Of both, fixed sensors do
+ * not count. A newcomer is a sensor of the plan that is not in the start plan.
+ * The moves are the newcomers, or the sensors of the start plan that are not in
+ * the plan, whichever are fewer: each move is a pair of one that leaves and one
+ * that comes. Newcomers beyond the pairs are additions, and sensors that leave
+ * beyond the pairs are removed; neither is a move. So a plan of n sensors, with
+ * s in the start plan, may have max(0, n - s) newcomers without a move. */
 #ifndef MURK_PLACEMENT_CONSTRAINTS_H
 #define MURK_PLACEMENT_CONSTRAINTS_H
 
@@ -38,6 +46,13 @@ typedef struct murk_constraints {
      * candidates. NULL: none. */
     const size_t *conflict_first; /* [candidates + 1] */
     const uint32_t *conflict;
+    /* The rule on moves, for plans without a budget. The start plan; NULL: no
+     * rule. */
+    const uint32_t *start; /* [start_count] distinct candidates */
+    size_t start_count;
+    size_t moves_max; /* maximum number of moves; SIZE_MAX: any number */
+    double move_cost; /* value that each move costs, as a share 0..1 of the
+                         value of a plan that sees everything */
     /* For messages only. */
     const char *const
         *class_name;  /* [classes]; NULL: messages give the number */
@@ -59,7 +74,13 @@ typedef struct murk_constraint_set {
     size_t
         *class_first; /* [classes + 1] first entry of each class in by_cost */
     uint64_t budget;
-    bool has_budget, has_min, has_caps, has_conflicts;
+    bool has_budget, has_min, has_caps, has_conflicts; /* has_conflicts: some
+                        partial plans cannot be completed */
+    bool *is_start; /* [candidates] in the start plan and not fixed; NULL: there
+                       is no rule on moves */
+    size_t starts;  /* candidates in the start plan and not fixed */
+    uint64_t move_cost; /* constraints->move_cost as a value, by
+                           murk_place_run_begin() */
     murk_arena arena;
 } murk_constraint_set;
 
@@ -89,6 +110,44 @@ static inline bool murk_has_budget(const murk_constraint_set *set)
 static inline size_t murk_fixed_count(const murk_constraint_set *set)
 {
     return set ? set->constraints->fixed_count : 0;
+}
+
+static inline bool murk_has_moves(const murk_constraint_set *set)
+{
+    return set && set->is_start; /* NULL: no constraints */
+}
+
+/* True if the candidate would be a newcomer. False without a rule on moves. */
+static inline bool murk_is_newcomer(const murk_constraint_set *set,
+                                    uint32_t candidate)
+{
+    return set->is_start && !set->is_start[candidate] &&
+           !set->is_fixed[candidate];
+}
+
+/* The newcomers of a plan of n sensors that are additions and not moves. */
+static inline size_t murk_additions(const murk_constraint_set *set, size_t n)
+{
+    const size_t stay = set->constraints->fixed_count + set->starts;
+    return n > stay ? n - stay : 0;
+}
+
+/* The cost of so many moves, as a value; UINT64_MAX where that would overflow.
+ */
+static inline uint64_t murk_cost_of_moves(const murk_constraint_set *set,
+                                          size_t moves)
+{
+    return set->move_cost > 0 && moves > UINT64_MAX / set->move_cost
+               ? UINT64_MAX
+               : moves * set->move_cost;
+}
+
+/* The value less the cost of `moves` moves, or 0. */
+static inline uint64_t murk_less_moves(const murk_constraint_set *set,
+                                       uint64_t value, size_t moves)
+{
+    const uint64_t cost = murk_cost_of_moves(set, moves);
+    return value > cost ? value - cost : 0;
 }
 
 /* True if no plan may have both of two distinct candidates. */

@@ -6,11 +6,13 @@
  * competes with greedy's plan in MURK_PLACE_EXACT. In a known environment
  * branch and bound follows with MURK_PLACE_BEST and MURK_PLACE_EXACT: for the
  * wanted count, or, with a target, for each count whose plan misses the target
- * while the bound reaches it. */
+ * while the bound reaches it. Under a rule on moves every method relocates the
+ * start plan by the value less the cost of moves. */
 #include "placement/incumbent.h"
 
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "placement/moves.h"
 
 #include <math.h>
 #include <string.h>
@@ -197,6 +199,78 @@ static uint64_t find_by_spoq(murk_incumbent *p, size_t n)
     return value;
 }
 
+/* Under a rule on moves: relocates the start plan, and with is_plan greedy's
+ * plan as well. The first evaluation of the bound is made at the cover of the
+ * start plan. Values are objectives (placement/moves.h). */
+static murk_curve_point find_by_moves(murk_incumbent *p, size_t n,
+                                      size_t rounds, bool is_plan, size_t *made)
+{
+    const murk_place_desc *desc = p->desc;
+    murk_gain_scan *s = p->search;
+    uint32_t *trial = p->run->trial;
+    const bool is_spoq = desc->method == MURK_PLACE_SPOQ;
+    murk_progress_text("plans %zu sensors", n);
+    /* The start plan. */
+    p->size =
+        murk_search_begin_at(s, p->plan, n, desc->start_plan, desc->start_size,
+                             &p->run->result.started_from);
+    uint64_t value = murk_moves_objective(s, p->plan, p->size);
+    const uint64_t first =
+        murk_bound_tighten(&p->bound, n, value, p->plan, p->size, 1);
+    /* The searches. */
+    if (is_spoq) {
+        value = murk_search_spoq_from(s, p->plan, p->size, desc->seed);
+        ++*made;
+    } else {
+        value = murk_moves_relocate(s, p->plan, p->size);
+    }
+    if (!is_spoq && is_plan && !murk_must_finish()) {
+        murk_search_greedy(s, trial, 0, n, UINT64_MAX, NULL);
+        const size_t size = s->size;
+        const uint64_t other =
+            size == n ? murk_moves_relocate(s, trial, size) : 0;
+        if (other > value && !murk_interrupted()) {
+            memcpy(p->plan, trial, size * sizeof *trial);
+            p->size = size;
+            value = other;
+        }
+    }
+    murk_progress_text("bounds %zu sensors", n);
+    const uint64_t upper = murk_bound_tighten(&p->bound, n, value, p->plan,
+                                              p->size, is_plan ? rounds : 1);
+    const uint64_t lower = first < upper ? first : upper;
+    return (murk_curve_point){p->size, value, lower > value ? lower : value};
+}
+
+/* Callback of branch and bound under a rule on moves: stores a plan with a
+ * larger objective, which becomes the cutoff. */
+static uint64_t take_by_moves(void *context, const uint32_t *plan, size_t size,
+                              uint64_t known)
+{
+    murk_incumbent *p = context;
+    const uint64_t objective = murk_moves_objective(p->search, plan, size);
+    if (objective <= known) {
+        return known;
+    }
+    memcpy(p->plan, plan, size * sizeof *plan);
+    p->size = size;
+    return objective;
+}
+
+/* Under a rule on moves: completes a plan of fewer than n sensors by those of
+ * the start plan, which cost nothing. Returns the objective. */
+static uint64_t complete_by_moves(murk_incumbent *p, size_t n)
+{
+    const murk_place_desc *desc = p->desc;
+    uint32_t *list = p->with_start;
+    size_t taken;
+    memcpy(list, p->plan, p->size * sizeof *list);
+    memcpy(list + p->size, desc->start_plan, desc->start_size * sizeof *list);
+    p->size = murk_search_begin_at(p->search, p->plan, n, list,
+                                   p->size + desc->start_size, &taken);
+    return murk_moves_objective(p->search, p->plan, p->size);
+}
+
 /* The plan of the other methods: one search and one bound. */
 static murk_curve_point find_once(murk_incumbent *p, size_t n, size_t rounds,
                                   size_t *made)
@@ -237,13 +311,21 @@ static murk_status branch_and_bound(murk_incumbent *p, size_t n,
         (n < 2 && !p->run->set)) {
         return MURK_OK;
     }
+    /* Search, then complete the plan. */
     murk_exact exact;
+    const bool has_moves = murk_has_moves(p->run->set);
+    const murk_exact_callback by_moves = {take_by_moves, p};
     const murk_status status = murk_exact_search(
         &exact, &p->bound, p->plan, p->size, n, point->value, point->upper,
-        murk_place_run_nodes_left(p->run, p->desc), NULL, err);
-    if (!status) {
+        murk_place_run_nodes_left(p->run, p->desc),
+        has_moves ? &by_moves : NULL, err);
+    if (!status && has_moves) {
+        point->value = complete_by_moves(p, n);
+    } else if (!status) {
         p->size = exact.size;
         point->value = p->run->set ? complete_plan(p, n) : exact.value;
+    }
+    if (!status) {
         point->count = p->size;
         point->upper = exact.upper > point->value ? exact.upper : point->value;
         p->run->result.nodes += exact.nodes;
@@ -312,6 +394,8 @@ murk_status murk_incumbent_init(murk_incumbent *p, murk_place_run *run,
     p->greedy = murk_arena_array(&run->arena, n, sizeof *p->greedy);
     p->greedy_value = murk_arena_array(&run->arena, n, sizeof *p->greedy_value);
     p->greedy_bound = murk_arena_array(&run->arena, n, sizeof *p->greedy_bound);
+    p->with_start = murk_arena_array(&run->arena, n + desc->start_size,
+                                     sizeof *p->with_start);
     if (run->arena.is_short) {
         return murk_no_memory(err, "", "for %zu sensors", n);
     }
@@ -397,17 +481,20 @@ murk_status murk_incumbent_count(murk_incumbent *p, size_t k,
     if (status || murk_interrupted()) {
         return status;
     }
-    if (murk_must_finish() || (!is_plan && is_curve_work_done(p))) {
+    if (murk_has_moves(p->run->set)) {
+        *last = find_by_moves(p, k, rounds, is_plan, made);
+    } else if (murk_must_finish() || (!is_plan && is_curve_work_done(p))) {
         *last = greedy_point(p, k, from, last->value);
         if (is_plan && desc->method != MURK_PLACE_GREEDY) {
             last->value = try_start_plan(p, k, last->value);
             last->count = p->size;
         }
         return MURK_OK;
+    } else {
+        *last = desc->method == MURK_PLACE_BEST
+                    ? find_best(p, k, from, last->value, max, rounds, made)
+                    : find_once(p, k, rounds, made);
     }
-    *last = desc->method == MURK_PLACE_BEST
-                ? find_best(p, k, from, last->value, max, rounds, made)
-                : find_once(p, k, rounds, made);
     const bool is_open = desc->target == 0 || (last->value < desc->target &&
                                                last->upper >= desc->target);
     return is_plan && is_open && !murk_must_finish()

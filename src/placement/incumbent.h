@@ -23,6 +23,8 @@ typedef struct murk_incumbent {
     uint32_t *plan;         /* [last] the incumbent: the best plan so far */
     size_t size;            /* sensors of plan */
     bool is_greedy_done;    /* under constraints: greedy completed a plan */
+    uint32_t *with_start;   /* [last + start_size] scratch: a plan, then the
+                               start plan */
     size_t rounds;          /* evaluations of the bound for the plan, at most */
     bool has_multipliers;   /* the bound has multipliers of an earlier call */
 } murk_incumbent;

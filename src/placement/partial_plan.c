@@ -42,6 +42,7 @@ void murk_partial_plan_clear(murk_partial_plan *s, size_t wanted)
     s->wanted = wanted;
     s->size = 0;
     s->cost = 0;
+    s->newcomers = 0;
     s->missing = 0;
     memset(s->class_count, 0, s->set->classes * sizeof *s->class_count);
     for (size_t c = 0; c < s->set->classes; ++c) {
@@ -55,6 +56,7 @@ void murk_partial_plan_add(murk_partial_plan *s, uint32_t candidate)
     s->missing -= s->class_count[class] < s->set->min[class];
     ++s->class_count[class];
     s->cost += murk_constraint_set_cost(s->set, candidate);
+    s->newcomers += murk_is_newcomer(s->set, candidate);
     s->member[s->size++] = candidate;
 }
 
@@ -65,6 +67,7 @@ void murk_partial_plan_drop_last(murk_partial_plan *s)
     --s->class_count[class];
     s->missing += s->class_count[class] < s->set->min[class];
     s->cost -= murk_constraint_set_cost(s->set, candidate);
+    s->newcomers -= murk_is_newcomer(s->set, candidate);
 }
 
 static bool is_member(const murk_partial_plan *s, uint32_t candidate)
@@ -109,6 +112,11 @@ bool murk_partial_plan_can_add(const murk_partial_plan *s, uint32_t candidate,
         s->missing - (s->class_count[class] < set->min[class] ? 1 : 0);
     if (s->class_count[class] >= set->max[class] ||
         s->size + 1 + missing > s->wanted || (is_last && missing > 0)) {
+        return false;
+    }
+    /* Moves. */
+    if (murk_is_newcomer(set, candidate) &&
+        murk_moves_with(s, s->newcomers + 1) > set->constraints->moves_max) {
         return false;
     }
     /* Budget, with a reserve for minimum counts. */

@@ -15,6 +15,7 @@ typedef struct murk_partial_plan {
     size_t *class_count; /* [classes] members of each class */
     size_t missing;      /* sensors that the minimum counts still need */
     uint64_t cost;
+    size_t newcomers; /* members that a rule on moves counts as newcomers */
     murk_arena arena;
 } murk_partial_plan;
 
@@ -33,6 +34,15 @@ void murk_partial_plan_clear(murk_partial_plan *partial, size_t wanted);
  * member that was added last; there must be one. */
 void murk_partial_plan_add(murk_partial_plan *partial, uint32_t candidate);
 void murk_partial_plan_drop_last(murk_partial_plan *partial);
+
+/* The moves of a partial plan with so many newcomers, if it is completed by
+ * sensors of the start plan as far as they go. */
+static inline size_t murk_moves_with(const murk_partial_plan *partial,
+                                     size_t newcomers)
+{
+    const size_t additions = murk_additions(partial->set, partial->wanted);
+    return newcomers > additions ? newcomers - additions : 0;
+}
 
 /* True if the candidate is no member, adding it keeps all constraints, and
  * enough places and budget are left for the minimum counts. If candidates may

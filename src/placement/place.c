@@ -37,7 +37,8 @@ static void join_bounds(murk_place_run *run)
     murk_curve_point *curve = run->result.curve;
     const size_t n = run->result.curve_points;
     const bool may_go =
-        !set || (!set->has_min && set->constraints->fixed_count == 0);
+        !set || (!set->has_min && set->constraints->fixed_count == 0 &&
+                 !murk_has_moves(set));
     for (size_t k = 1; k < n && may_go; ++k) {
         const uint64_t before = curve[k - 1].upper + rounding;
         const uint64_t upper = before + before / curve[k - 1].count;
@@ -100,6 +101,19 @@ static murk_status check_target(const murk_place_run *run, murk_error *err)
                      target, run->last, (double)result->value / whole);
 }
 
+/* Splits the objective of the plan into the value and the moves. */
+static void count_moves(murk_place_run *run)
+{
+    const murk_partial_plan *partial = &run->search.partial;
+    murk_place_result *result = &run->result;
+    murk_search_begin(&run->search, run->plan, run->size, run->size);
+    result->value = murk_gain_scan_set_all_but(&run->search, run->plan,
+                                               run->size, run->size);
+    result->has_moves = true;
+    result->moves = murk_moves_with(partial, partial->newcomers);
+    result->move_cost = murk_cost_of_moves(run->set, result->moves);
+}
+
 static murk_status find_count(void *context, size_t n, const uint32_t *from,
                               murk_curve_point *point, murk_error *err)
 {
@@ -149,8 +163,12 @@ murk_status murk_place_sensors(murk_place_result *out,
         /* MURK_PLACE_BEST and MURK_PLACE_EXACT start with greedy's plan and
          * only improve it. Relocation alone assures n / (2n - 1), which is
          * less. */
-        if (desc->method != MURK_PLACE_SPOQ && (!run.set || p.is_greedy_done)) {
+        if (desc->method != MURK_PLACE_SPOQ && !murk_has_moves(run.set) &&
+            (!run.set || p.is_greedy_done)) {
             run.result.guarantee = greedy_guarantee(run.set);
+        }
+        if (murk_has_moves(run.set)) {
+            count_moves(&run);
         }
         run.result.ceiling = evaluator->ceiling;
         run.result.whole = evaluator->layout->whole;

@@ -60,7 +60,15 @@
 
 #include "placement/settings.h"
 
-/* Known environment: uses the rows of the matrix, and weights and threads of
+/* Under a rule on moves, the searches, which begin at the start plan, and the
+ * bound are by the value less the cost of the moves. MURK_PLACE_BEST relocates
+ * the start plan and greedy's plan by placement/moves.h; the start plan wins
+ * ties. MURK_PLACE_SPOQ makes sweeps over the start plan, in which a sensor
+ * stays on ties. The bound of placement/bound.h is evaluated at the cover of
+ * the start plan S first: it is then, for at most k moves and without costs,
+ * the value of S and the k largest gains over S.
+ *
+ * Known environment: uses the rows of the matrix, and weights and threads of
  * the problem. Unknown environment (matrix NULL): asks the problem for each row
  * that is not cached (desc->row_memory), so without cached rows memory is
  * O(photons). The result is the same for any row_memory. Each decision of a

@@ -1,8 +1,9 @@
 /* Relaxations of the constraints, for candidates whose gains simply add up:
- * greedy over the matroid of class counts, greedy over sites, and the
- * fractional knapsack. The knapsack charges Lagrangian multipliers for places
- * in classes with a maximum count; the multipliers are improved from call to
- * call by Rprop steps. Every bound is valid for every multiplier. */
+ * greedy over the matroid of class counts, greedy over sites, greedy over
+ * newcomers and sensors of a start plan, and the fractional knapsack. The
+ * knapsack charges Lagrangian multipliers for places in classes with a maximum
+ * count; the multipliers are improved from call to call by Rprop steps. Every
+ * bound is valid for every multiplier. */
 #include "placement/relaxation.h"
 
 #include <stdlib.h>
@@ -117,6 +118,63 @@ static uint64_t pick_by_site(murk_relaxation *r, size_t n, size_t left,
             *is_used = true;
             r->picked[picked++] = r->order[k];
             sum = murk_sum_saturated(sum, r->order[k].bound);
+        }
+    }
+    *chosen = picked;
+    return sum;
+}
+
+/* The first of ranked[n] at or after `at` that is a newcomer, or is none. */
+static size_t next_of(const murk_constraint_set *set, const murk_ranked *ranked,
+                      size_t n, size_t at, bool is_newcomer)
+{
+    while (at < n &&
+           murk_is_newcomer(set, ranked[at].candidate) != is_newcomer) {
+        ++at;
+    }
+    return at;
+}
+
+/* The cost of the moves of the partial plan with so many newcomers. */
+static uint64_t cost_with(const murk_partial_plan *s, size_t newcomers)
+{
+    return murk_cost_of_moves(s->set, murk_moves_with(s, newcomers));
+}
+
+/* Chooses at most `left` candidates of ranked[n], by falling gain, that the
+ * rule on moves allows, into r->picked, such that the sum of the gains less the
+ * cost of their moves is largest, and returns this sum. Each
+ * further newcomer costs at least as much as the one before and gains at most
+ * as much, so the choice is that of the better of two sorted lists. */
+static uint64_t pick_by_moves(murk_relaxation *r, const murk_partial_plan *s,
+                              const murk_ranked *ranked, size_t n, size_t left,
+                              size_t *chosen)
+{
+    const murk_constraint_set *set = r->set;
+    size_t newcomers = s->newcomers, picked = 0;
+    size_t come = next_of(set, ranked, n, 0, true),
+           stay = next_of(set, ranked, n, 0, false);
+    uint64_t sum = 0;
+    while (picked < left && (come < n || stay < n)) {
+        /* The gain of the next newcomer after its cost. */
+        const bool may_come = come < n && murk_moves_with(s, newcomers + 1) <=
+                                              set->constraints->moves_max;
+        const uint64_t cost =
+            cost_with(s, newcomers + 1) - cost_with(s, newcomers);
+        const uint64_t net = may_come && ranked[come].bound > cost
+                                 ? ranked[come].bound - cost
+                                 : 0;
+        if (stay < n && ranked[stay].bound >= net) {
+            sum = murk_sum_saturated(sum, ranked[stay].bound);
+            r->picked[picked++] = ranked[stay];
+            stay = next_of(set, ranked, n, stay + 1, false);
+        } else if (may_come) {
+            sum = murk_sum_saturated(sum, net);
+            r->picked[picked++] = ranked[come];
+            ++newcomers;
+            come = next_of(set, ranked, n, come + 1, true);
+        } else {
+            break;
         }
     }
     *chosen = picked;
@@ -284,6 +342,19 @@ uint64_t murk_relaxation_top(murk_relaxation *r, const murk_partial_plan *s,
             memcpy(top, r->picked, picked * sizeof *top);
         }
     }
+    /* Moves, if that bound is smaller. */
+    if (murk_has_moves(set)) {
+        size_t picked = 0;
+        const uint64_t others =
+            pick_by_moves(r, s, r->order, n, fewer, &picked);
+        r->others = others < r->others ? others : r->others;
+        const uint64_t now = pick_by_moves(r, s, r->order, n, left, &picked);
+        if (now < best) {
+            best = now;
+            *chosen = picked;
+            memcpy(top, r->picked, picked * sizeof *top);
+        }
+    }
     /* The budget, if that bound is smaller. */
     if (set->has_budget) {
         const uint64_t budget = set->budget - s->cost;
@@ -342,9 +413,16 @@ uint64_t murk_relaxation_rest(murk_relaxation *r, const murk_partial_plan *s,
                               const murk_ranked *ranked, size_t n)
 {
     if (!r->set->has_budget) {
+        /* Counts, and moves. */
         size_t picked = 0;
-        return pick_by_class(r, s, ranked, n, s->wanted - s->size, false,
-                             &picked);
+        const size_t places = s->wanted - s->size;
+        const uint64_t of_class =
+            pick_by_class(r, s, ranked, n, places, false, &picked);
+        const uint64_t of_moves =
+            murk_has_moves(r->set)
+                ? pick_by_moves(r, s, ranked, n, places, &picked)
+                : of_class;
+        return of_moves < of_class ? of_moves : of_class;
     }
     uint64_t left = r->set->budget - s->cost, sum = 0;
     for (size_t k = 0; k < n; ++k) {

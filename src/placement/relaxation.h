@@ -4,8 +4,9 @@
  * Maximum and minimum counts by class are kept exactly (they form a matroid,
  * for which the greedy choice is best). For other constraints the smallest of
  * several relaxations counts: one sensor a site; the fractional knapsack of a
- * budget, in which maximum counts by class have Lagrangian multipliers. Spacing
- * and listed conflicts are left out.
+ * budget, in which maximum counts by class have Lagrangian multipliers; the
+ * rule on moves, whose costs are subtracted from the gains. Spacing and listed
+ * conflicts are left out.
  *
  * Source: Edmonds, Math. Program. 1 (1971) 127, doi:10.1007/BF01584082
  * (matroids); Dantzig, Oper. Res. 5 (1957) 266, doi:10.1287/opre.5.2.266
@@ -57,16 +58,16 @@ murk_status murk_relaxation_init(murk_relaxation *out,
                                  murk_error *err);
 void murk_relaxation_release(murk_relaxation *relaxed);
 
-/* Upper bound on the sum of gains of a feasible extension of the partial plan
- * by live[n] with gain[n]. top[*chosen] receives the choice that makes the
- * bound. A candidate that the knapsack takes in part is in the choice of some
- * calls only, as often as its fraction. */
+/* Upper bound on the sum of gains, less the cost of their moves, of a
+ * feasible extension of the partial plan by live[n] with gain[n]. top[*chosen]
+ * receives the choice that makes the bound. A candidate that the knapsack takes
+ * in part is in the choice of some calls only, as often as its fraction. */
 uint64_t murk_relaxation_top(murk_relaxation *relaxed,
                              const murk_partial_plan *partial,
                              const uint32_t *live, const uint64_t *gain,
                              size_t n, murk_ranked *top, size_t *chosen);
 
-/* After murk_relaxation_top(): upper bound on the sum of the gains of the other
+/* After murk_relaxation_top(): the same bound for the gains of the other
  * candidates of an extension that contains this candidate. */
 uint64_t murk_relaxation_others(const murk_relaxation *relaxed,
                                 const murk_partial_plan *partial,
@@ -77,9 +78,9 @@ uint64_t murk_relaxation_others(const murk_relaxation *relaxed,
 void murk_relaxation_sort(murk_relaxation *relaxed, murk_ranked *ranked,
                           size_t n);
 
-/* Upper bound on the sum of gains of a feasible extension of the partial plan
- * by ranked[n], sorted as above. The bound of a part of the list is at most
- * that of the whole list. */
+/* Upper bound on the sum of gains, less the cost of their moves, of a
+ * feasible extension of the partial plan by ranked[n], sorted as above. The
+ * bound of a part of the list is at most that of the whole list. */
 uint64_t murk_relaxation_rest(murk_relaxation *relaxed,
                               const murk_partial_plan *partial,
                               const murk_ranked *ranked, size_t n);

@@ -9,8 +9,19 @@
 #include "base/progress.h"
 #include "base/sort.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The cost of a move as a value: a multiple of the grain, as values are. */
+static void price_moves(murk_place_run *run)
+{
+    const double grain = (double)run->evaluator.grain;
+    const double cost = run->own_set.constraints->move_cost *
+                        (double)run->evaluator.layout->whole;
+    run->own_set.move_cost =
+        (uint64_t)floor(cost / grain + .5) * run->evaluator.grain;
+}
 
 murk_status murk_place_run_begin(murk_place_run *run,
                                  const murk_problem *problem,
@@ -40,6 +51,9 @@ murk_status murk_place_run_begin(murk_place_run *run,
     }
     if (!status) {
         run->evaluator.search_work = desc->search_work;
+        if (murk_has_moves(run->set)) {
+            price_moves(run);
+        }
         status = murk_gain_scan_init(&run->search, &run->evaluator, 0,
                                      problem->threads, err);
     }
@@ -125,6 +139,16 @@ static void update_fewest(murk_place_run *run, size_t n, uint64_t upper)
     }
 }
 
+/* True for a number below the wanted one of which no plan is found: a rule on
+ * moves may hold a small plan to sensors of the start plan that break other
+ * constraints, and admit a larger one. */
+static bool is_gap(murk_place_run *run, size_t n)
+{
+    murk_error err;
+    return murk_has_moves(run->set) && n < run->last &&
+           murk_place_run_find_fallback(run, n, &err) != MURK_OK;
+}
+
 static murk_status find_all(murk_place_run *run, murk_find_count find,
                             void *context, murk_error *err)
 {
@@ -138,6 +162,10 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
     /* Each count builds on the plan of the count before. */
     murk_curve_point point = {0};
     for (size_t k = run->first; k <= run->last && !murk_interrupted(); ++k) {
+        if (is_gap(run, k)) {
+            run->is_open = true; /* no bound excludes this number */
+            continue;
+        }
         result->started_from = 0;
         const murk_status status =
             find(context, k, k > run->first ? last_plan : NULL, &point, err);
@@ -145,8 +173,7 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
             return status;
         }
         if (result->curve) {
-            result->curve[k - run->first] = point;
-            result->curve_points = k - run->first + 1;
+            result->curve[result->curve_points++] = point;
         }
         if (target) {
             update_fewest(run, k, point.upper);
@@ -204,7 +231,8 @@ uint64_t murk_place_run_nodes_left(const murk_place_run *run,
 void murk_place_run_join_bounds(murk_place_run *run)
 {
     murk_curve_point *curve = run->result.curve;
-    if (!curve || (run->set && run->set->has_conflicts)) {
+    if (!curve ||
+        (run->set && (run->set->has_conflicts || murk_has_moves(run->set)))) {
         return;
     }
     for (size_t k = run->result.curve_points - 1; k > 0; --k) {
@@ -229,7 +257,7 @@ murk_status murk_place_run_end(murk_place_result *out, murk_place_run *run,
     if (!status) {
         qsort(result->sensor, result->count, sizeof *result->sensor,
               murk_by_size);
-        result->proven_optimal = result->value == result->upper;
+        result->proven_optimal = murk_place_objective(result) == result->upper;
         result->after_presolve = run->evaluator.undominated;
         *out = *result;
         *result = (murk_place_result){0};

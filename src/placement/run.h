@@ -68,8 +68,8 @@ uint64_t murk_place_run_nodes_left(const murk_place_run *run,
 
 /* Lowers the upper bound of each point of the curve to the bound of the next
  * larger count, if that is lower: a plan can be completed to the larger count,
- * and its value does not fall. Does nothing if candidates are in conflict,
- * because some plans then cannot be completed. */
+ * and its value does not fall. Does nothing if candidates are in conflict or
+ * under a rule on moves, because some plans then cannot be completed. */
 void murk_place_run_join_bounds(murk_place_run *run);
 
 /* Completes the result if status is 0, and releases the run. */

@@ -6,6 +6,7 @@
 
 #include "base/interrupt.h"
 #include "base/rng.h"
+#include "placement/moves.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -195,7 +196,9 @@ static void begin_spoq_at(murk_climb *c, murk_gain_scan *s, uint32_t *plan,
                       .fixed = murk_fixed_count(s->evaluator->set),
                       .seed = seed,
                       .restart = restart};
-    c->value = murk_gain_scan_set_all_but(s, plan, n, n);
+    c->value = murk_has_moves(s->evaluator->set)
+                   ? murk_moves_objective(s, plan, n)
+                   : murk_gain_scan_set_all_but(s, plan, n, n);
     begin_sweep(c, s);
 }
 
@@ -313,6 +316,11 @@ static uint64_t gain_above(uint64_t value, uint64_t others)
 
 void murk_climb_move(murk_climb *c, murk_gain_scan *s)
 {
+    if (murk_has_moves(s->evaluator->set)) { /* SPOQ, by the objective */
+        c->value = murk_moves_find_place(s, c->plan, c->n, c->mover,
+                                         &c->plan[c->mover]);
+        return;
+    }
     const uint64_t best =
         murk_gain_scan_find_move(s, c->others, gain_above(c->value, c->others));
     c->value = c->others + best;

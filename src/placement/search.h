@@ -59,7 +59,9 @@ size_t murk_search_begin_at(murk_gain_scan *s, uint32_t *plan, size_t n,
 uint64_t murk_search_spoq(murk_gain_scan *s, uint32_t *plan, size_t n,
                           uint32_t seed, uint64_t restart);
 
-/* The same from the given plan[n], with the random numbers of start 0. */
+/* The same from the given plan[n], with the random numbers of start 0. Under a
+ * rule on moves each sensor goes to the best place by the objective of
+ * placement/moves.h, which is also what is returned. */
 uint64_t murk_search_spoq_from(murk_gain_scan *s, uint32_t *plan, size_t n,
                                uint32_t seed);
 

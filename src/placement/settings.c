@@ -49,6 +49,34 @@ static murk_status check_redundancy(const murk_problem *problem,
     return MURK_OK;
 }
 
+/* A rule on moves is kept by searches that begin at the start plan and know
+ * what every candidate sees. */
+static murk_status check_moves(bool known, const murk_place_desc *desc,
+                               murk_error *err)
+{
+    const murk_constraints *rules = desc->constraints;
+    if (!rules || !rules->start) {
+        return MURK_OK;
+    }
+    const char *cause = !known              ? "knowledge: known"
+                        : !desc->start_plan ? "a start plan"
+                        : rules->budget > 0 ? "no budget"
+                        : desc->method == MURK_PLACE_GREEDY
+                            ? "method best, spoq or exact"
+                        : desc->target && rules->move_cost > 0
+                            ? "a move cost of 0 with a target"
+                            : NULL;
+    if (cause) {
+        return murk_fail(err, MURK_BAD_VALUE, "",
+                         "a rule on moves is given, which needs %s", cause);
+    }
+    return rules->move_cost >= 0 && rules->move_cost <= 1
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, "",
+                           "cost of a move is %g, must be 0..1",
+                           rules->move_cost);
+}
+
 murk_status murk_place_check(const murk_problem *problem, bool known,
                              const murk_place_desc *desc, murk_error *err)
 {
@@ -78,7 +106,8 @@ murk_status murk_place_check(const murk_problem *problem, bool known,
         return murk_fail(err, MURK_BAD_VALUE, "",
                          "restarts is 0, must be 1 or more");
     }
-    return check_redundancy(problem, err);
+    const murk_status status = check_moves(known, desc, err);
+    return status ? status : check_redundancy(problem, err);
 }
 
 void murk_place_release(murk_place_result *result)

@@ -78,14 +78,19 @@ typedef struct murk_place_result {
     uint64_t upper;        /* an upper bound on the value of any plan of `count`
                               sensors (with a budget: of any number up to
                               desc->count) that the constraints admit */
-    bool proven_optimal;   /* value == upper */
+    bool proven_optimal;   /* value (less the cost of moves) == upper */
     const char *guarantee; /* a fraction of the optimum that a theorem assures,
                               or "none"; static text */
     uint64_t cost;         /* of the sensors, in the unit of the constraints */
-    size_t fewest;    /* lower bound on the number of sensors that reach the
-                         target; 0 without a target */
-    uint64_t ceiling; /* value of all candidates together */
-    uint64_t whole;   /* sum_i weight_i * MURK_CLEAR, times the redundancy */
+    bool has_moves; /* the constraints have a rule on moves, so `upper` and the
+                       points of the curve are of the value less the cost of
+                       the moves, or 0 if the cost is larger */
+    size_t moves;   /* of the plan */
+    uint64_t move_cost; /* of these moves, as a value */
+    size_t fewest;      /* lower bound on the number of sensors that reach the
+                           target; 0 without a target */
+    uint64_t ceiling;   /* value of all candidates together */
+    uint64_t whole;     /* sum_i weight_i * MURK_CLEAR, times the redundancy */
     size_t after_presolve; /* candidates that the searches treat as undominated
                               (placement/evaluator.h) */
     size_t restarts;       /* SPOQ starts made; murk_place_sensors() leaves out
@@ -114,5 +119,13 @@ murk_status murk_place_check(const murk_problem *problem, bool known,
                              const murk_place_desc *desc, murk_error *err);
 
 void murk_place_release(murk_place_result *result);
+
+/* The value of the plan less the cost of its moves, or 0 if the cost is larger:
+ * the value that result->upper bounds. */
+static inline uint64_t murk_place_objective(const murk_place_result *result)
+{
+    return result->value > result->move_cost ? result->value - result->move_cost
+                                             : 0;
+}
 
 #endif

@@ -51,6 +51,35 @@ static murk_status check_sensing(const murk_stage *stage, murk_error *err)
     return status;
 }
 
+/* Moves are pairs of sensors, which plans within a budget do not have; and a
+ * target asks for coverage, whatever moves cost. */
+static murk_status check_moves(const murk_scene_desc *scene, murk_error *err)
+{
+    const murk_scene_placement *p = &scene->placement;
+    const murk_scene_sensors *sensors = &scene->sensors;
+    if (sensors->budget > 0 && (p->limits_moves || p->move_cost > 0)) {
+        return murk_fail(err, MURK_BAD_VALUE, sensors->where,
+                         "budget: placement.%s counts moves of a number of "
+                         "sensors; give sensors.count or sensors.target",
+                         p->limits_moves ? "moves_at_most" : "move_cost");
+    }
+    return sensors->target > 0 && p->move_cost > 0
+               ? murk_fail(err, MURK_BAD_VALUE, sensors->where,
+                           "target: a plan that reaches a coverage does not "
+                           "weigh placement.move_cost; give sensors.count")
+               : MURK_OK;
+}
+
+const char *murk_plan_single_key(const murk_scene_desc *scene)
+{
+    const murk_scene_placement *p = &scene->placement;
+    return murk_plan_at_least(scene) > 0                 ? "at_least"
+           : p->start_plan && p->limits_moves            ? "moves_at_most"
+           : p->start_plan && p->move_cost > 0           ? "move_cost"
+           : scene->timeline.given && p->steps_ahead > 1 ? "look_ahead"
+                                                         : NULL;
+}
+
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err)
 {
@@ -78,7 +107,10 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
         return murk_fail(err, MURK_BAD_VALUE, stage->scene->photons.where,
                          "maps: none, but placing needs stored photons");
     }
-    const murk_status status = check_sensing(stage, err);
+    murk_status status = check_moves(stage->scene, err);
+    if (!status) {
+        status = check_sensing(stage, err);
+    }
     return !status && stage->scene->placement.targets.given
                ? murk_targets_check(stage, threads, err)
                : status;
@@ -123,6 +155,9 @@ murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
     }
     if (!status) {
         status = make_poses(plan, stage, err);
+    }
+    if (!status) {
+        murk_poses_limit_moves(plan->poses, &stage->scene->placement);
     }
     if (!status && stage->scene->placement.knowledge == MURK_SCENE_EXPLORE) {
         status = murk_explore_start(&plan->start, stage, plan->candidates,
@@ -297,6 +332,33 @@ static uint32_t *note_sightlines(size_t candidates)
     return tested;
 }
 
+murk_status murk_plan_choose_free(murk_plan_result *plan,
+                                  const murk_problem *problem,
+                                  const murk_matrix *matrix,
+                                  const murk_place_desc *like, murk_error *err)
+{
+    murk_place_desc desc = *like;
+    murk_constraints rules;
+    murk_place_result any = {0};
+    if (desc.target) { /* its number of sensors is another */
+        return MURK_OK;
+    }
+    desc.constraints = murk_poses_constraints_of_any(plan->poses, &rules);
+    desc.with_curve = false;
+    const murk_status status =
+        murk_place_sensors(&any, problem, matrix, &desc, err);
+    if (!status) {
+        const double whole = (double)any.whole;
+        plan->free = (murk_free_plan){true, (double)any.value / whole,
+                                      (double)any.upper / whole};
+        plan->place.evaluations += any.evaluations;
+        plan->place.nodes += any.nodes;
+        plan->place.is_interrupted |= any.is_interrupted;
+    }
+    murk_place_release(&any);
+    return status;
+}
+
 /* Chooses the sensors by the method that placement.knowledge asks for. */
 static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                           murk_sight *sight, murk_error *err)
@@ -368,6 +430,9 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
         status = murk_place_at_least(&plan->place, problem, matrix, &desc, err);
     } else if (!status) {
         status = murk_place_sensors(&plan->place, problem, matrix, &desc, err);
+    }
+    if (!status && plan->poses->limits_moves) {
+        status = murk_plan_choose_free(plan, problem, matrix, &desc, err);
     }
     keep_matrix(plan, matrix, seen.tested, desc.row_memory);
     plan->place_s = murk_clock_s() - begun_s;

@@ -71,6 +71,11 @@ size_t murk_plan_at_least(const murk_scene_desc *scene);
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
                             murk_error *err);
 
+/* The key of the scene that asks for a plan which a study, repeats and an
+ * exported problem do not have: at_least, a rule on moves, look_ahead; NULL:
+ * none. */
+const char *murk_plan_single_key(const murk_scene_desc *scene);
+
 /* The solver settings of the scene, without constraints and target. */
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 
@@ -105,6 +110,13 @@ murk_status murk_plan_measure_streamed(murk_coverage_result *out,
  * the targets are a list, because a list is the same in all streams. */
 bool murk_plan_has_streams(const murk_scene_desc *scene);
 
+/* The best plan found for a scene, as it is at the time of the plan, without
+ * the rule on moves and without other steps: coverage in sample, as shares. */
+typedef struct murk_free_plan {
+    bool is_there;          /* false: the plan itself is this plan */
+    double coverage, upper; /* upper: of any plan of as many sensors */
+} murk_free_plan;
+
 typedef struct murk_plan_result {
     bool without_curve; /* set by the caller: compute the plan alone, without
                          * the curve over smaller numbers of sensors */
@@ -123,6 +135,7 @@ typedef struct murk_plan_result {
     murk_candidates *candidates;
     murk_poses *poses; /* poses of the candidates: the choices of placement */
     murk_place_result place;
+    murk_free_plan free;
     uint32_t start;            /* with knowledge: explore, the place where the
                                 * path begins */
     murk_explore explore;      /* with knowledge: explore, the steps; else empty
@@ -183,6 +196,14 @@ void murk_plan_result_release(murk_plan_result *plan);
  * scene as the place, unless a more exact place is known. */
 murk_status murk_plan_choose(murk_plan_result *plan, const murk_stage *stage,
                              murk_sight *sight, murk_error *err);
+
+/* Fills plan->free by a search with the settings `like`, but without the rule
+ * on moves, over the problem and matrix of the scene at the time of the plan.
+ * Nothing is done with a target. */
+murk_status murk_plan_choose_free(murk_plan_result *plan,
+                                  const murk_problem *problem,
+                                  const murk_matrix *matrix,
+                                  const murk_place_desc *like, murk_error *err);
 
 /* Fills plan->sensor from plan->place and the poses. */
 murk_status murk_plan_take_sensors(murk_plan_result *plan,

@@ -349,7 +349,32 @@ void murk_poses_destroy(murk_poses *p)
     }
 }
 
+void murk_poses_limit_moves(murk_poses *poses,
+                            const murk_scene_placement *placement)
+{
+    murk_constraints *rules = &poses->constraints;
+    if (!poses->start ||
+        !(placement->limits_moves || placement->move_cost > 0)) {
+        return;
+    }
+    poses->limits_moves = true;
+    rules->start = poses->start;
+    rules->start_count = poses->starts;
+    rules->moves_max =
+        placement->limits_moves ? (size_t)placement->moves_max : SIZE_MAX;
+    rules->move_cost = placement->move_cost;
+}
+
+const murk_constraints *murk_poses_constraints_of_any(const murk_poses *poses,
+                                                      murk_constraints *copy)
+{
+    *copy = poses->constraints;
+    copy->start = NULL;
+    return poses->has_constraints ? copy : NULL;
+}
+
 const murk_constraints *murk_poses_constraints(const murk_poses *poses)
 {
-    return poses->has_constraints ? &poses->constraints : NULL;
+    return poses->has_constraints || poses->limits_moves ? &poses->constraints
+                                                         : NULL;
 }

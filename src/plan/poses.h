@@ -29,9 +29,10 @@ typedef struct murk_poses {
     int64_t *cost;
     double (*position_m)[3];
     const char **class_name; /* [types]; names of the scene */
-    uint32_t *start; /* [starts] candidates at which the search begins; NULL
-                      * until murk_start_plan_match() (plan/start_plan.h), and
-                      * if the scene has no start_plan */
+    bool limits_moves; /* the constraints have a rule on moves from `start` */
+    uint32_t *start;   /* [starts] candidates at which the search begins; NULL
+                        * until murk_start_plan_match() (plan/start_plan.h), and
+                        * if the scene has no start_plan */
     size_t starts;
 } murk_poses;
 
@@ -57,6 +58,15 @@ void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 
 /* Compares two murk_vec3 by x, then y, then z, for qsort() and bsearch(). */
 int murk_by_position(const void *a, const void *b);
+
+/* Adds the scene's rule on moves from the start plan, if it has both. */
+void murk_poses_limit_moves(murk_poses *poses,
+                            const murk_scene_placement *placement);
+
+/* The constraints of the poses without the rule on moves, for which `copy` is
+ * used; NULL as the next function. */
+const murk_constraints *murk_poses_constraints_of_any(const murk_poses *poses,
+                                                      murk_constraints *copy);
 
 /* The constraints of the poses; NULL if the scene has none besides the count
  * and the target. */

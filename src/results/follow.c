@@ -33,7 +33,10 @@ void murk_results_list_follow_row(murk_results_fields *f, const void *of,
                 r->coverage.value);
     MURK_NUMBER(f, "standard_error", "1", "of coverage",
                 r->coverage.standard_error);
-    MURK_NUMBER(f, "upper", "1", "bound of the coverage in sample", r->upper);
+    MURK_NUMBER(f, "upper", "1",
+                "bound of the coverage in sample; with a rule on moves, of the "
+                "coverage less their cost of plans that keep it",
+                r->upper);
     MURK_COUNT(f, "moved", "sensors that were not in the plan before",
                r->moved);
     MURK_NUMBER(f, "seconds", "s", "of the step", r->seconds);
@@ -41,6 +44,19 @@ void murk_results_list_follow_row(murk_results_fields *f, const void *of,
     MURK_TEXT(f, "failed", "why the step has no plan", r->failed);
     MURK_COUNT(f, "sensors", "of the plan, with the fixed ones", r->sensors);
     MURK_TEXT(f, "cut_by", "what ended the search, as in plan.json", r->cut_by);
+    /* The rule on moves, and hindsight. */
+    MURK_NUMBER(f, "in_sample", "1",
+                "coverage on the light that chose the plan", r->in_sample);
+    MURK_NUMBER(
+        f, "upper_free", "1",
+        "bound of in_sample at this step alone, without a rule on moves",
+        r->upper_free);
+    MURK_NUMBER(f, "moves", "",
+                "with a rule on moves: pairs of a sensor that left the plan "
+                "before and one that came",
+                r->moves);
+    MURK_NUMBER(f, "move_cost", "1", "cost of these moves, as coverage",
+                r->move_cost);
 }
 
 /* ---- the start of a step ---- */
@@ -145,6 +161,35 @@ static size_t count_failed(const murk_sequence *s)
     return failed;
 }
 
+/* The object "hindsight". */
+static void list_hindsight(murk_results_fields *f, const void *of)
+{
+    const murk_follow_results *r = of;
+    const murk_sequence_hindsight h =
+        r ? murk_sequence_sum_up(r->sequence) : (murk_sequence_hindsight){0};
+    MURK_COUNT(f, "steps", "that have coverage", h.steps);
+    MURK_NUMBER(f, "value", "1",
+                "sum over these steps of in_sample less the cost of moves",
+                h.value);
+    MURK_NUMBER(f, "mean_value", "1", "of a step", h.value / (double)h.steps);
+    MURK_NUMBER(f, "mean_held_out", "1",
+                "the same of the coverage on the second maps",
+                h.held_out / (double)h.steps);
+    MURK_NUMBER(f, "upper", "1",
+                "no plans that know all steps have a larger value: sum of "
+                "upper_free",
+                h.upper);
+    MURK_NUMBER(f, "gap", "1", "upper - value", h.gap);
+}
+
+/* True if the sequence is compared with hindsight: not with a target, for which
+ * steps have numbers of sensors of their own. */
+static bool has_hindsight(const murk_follow_results *r)
+{
+    return !(r->scene->sensors.target > 0) &&
+           murk_sequence_sum_up(r->sequence).steps > 0;
+}
+
 void murk_results_list_follow(murk_results_fields *f, const void *of)
 {
     const murk_follow_results *r = of;
@@ -155,6 +200,10 @@ void murk_results_list_follow(murk_results_fields *f, const void *of)
                count_failed(r->sequence));
     MURK_COUNT(f, "moves", "changes of sensors, in moves.csv",
                r->sequence->moves);
+    if (MURK_LISTED_IF(f, has_hindsight(r))) {
+        MURK_OBJECT(f, "hindsight", "what knowledge of all steps could add",
+                    list_hindsight, r);
+    }
     MURK_LIST(f, "steps", "a row a step, as in follow.csv",
               murk_results_list_follow_row, r->sequence, r->sequence->rows);
 }
@@ -198,5 +247,12 @@ void murk_print_follow(const void *of)
         murk_print("time limit  ended the search of %zu steps: another run may "
                    "give other plans\n",
                    late);
+    }
+    if (has_hindsight(r)) {
+        const murk_sequence_hindsight h = murk_sequence_sum_up(s);
+        const double n = (double)h.steps;
+        murk_print("hindsight   %.4f a step in sample, less moves; plans that "
+                   "know all steps reach no more than %.4f\n",
+                   h.value / n, h.upper / n);
     }
 }

@@ -18,11 +18,15 @@ static void list_bound(murk_results_fields *f, const void *of)
 {
     const murk_place_result *place = of;
     MURK_NUMBER(f, "upper", "1",
-                "no plan of as many sensors covers more of this sample",
+                "no plan of as many sensors covers more of this sample; with a "
+                "rule on moves, no plan that keeps it covers more, less the "
+                "cost of its moves",
                 murk_share(place->upper, place->whole));
-    MURK_NUMBER(f, "gap", "1", "(upper - coverage) / upper",
+    MURK_NUMBER(f, "gap", "1",
+                "(upper - coverage) / upper; coverage less the cost of moves",
                 place->upper || !place->whole
-                    ? murk_share(place->upper - place->value, place->upper)
+                    ? murk_share(place->upper - murk_place_objective(place),
+                                 place->upper)
                     : 0);
     MURK_FLAG(f, "proven_optimal", "true if no plan is better on this sample",
               place->proven_optimal);
@@ -145,6 +149,38 @@ static void list_target(murk_results_fields *f, const void *of)
     MURK_ESTIMATE(f, "confirmed", "1", "on a third map", plan->confirmed);
 }
 
+/* The object "moves". */
+static void list_moves(murk_results_fields *f, const void *of)
+{
+    const murk_plan_results *r = of;
+    const murk_plan_result *plan = r ? r->plan : NULL;
+    const murk_place_result *place = plan ? &plan->place : NULL;
+    const murk_scene_placement *asked =
+        r ? &r->session->scene->placement : NULL;
+    MURK_COUNT(f, "count",
+               "pairs of a sensor that left the start plan and one "
+               "that came",
+               place->moves);
+    MURK_NUMBER(f, "at_most", "", "placement.moves_at_most",
+                asked->limits_moves ? (double)asked->moves_max : NAN);
+    MURK_NUMBER(f, "cost", "1", "of these moves, as coverage",
+                murk_share(place->move_cost, place->whole));
+    MURK_NUMBER(f, "value", "1", "coverage less cost, in sample, 0 at least",
+                murk_share(murk_place_objective(place), place->whole));
+}
+
+/* The object "free". */
+static void list_free(murk_results_fields *f, const void *of)
+{
+    const murk_free_plan *free_plan = of;
+    MURK_NUMBER(
+        f, "coverage", "1",
+        "in sample, of the best plan found for this time alone, wherever "
+        "the search begins",
+        free_plan->coverage);
+    MURK_NUMBER(f, "upper", "1", "bound on such plans", free_plan->upper);
+}
+
 static void list_placement(murk_results_fields *f, const void *of)
 {
     const murk_plan_results *r = of;
@@ -228,6 +264,13 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     murk_results_list_robust(f, &robust);
     murk_results_list_bound(f, place);
     /* Fields that only some plans have. */
+    if (MURK_LISTED_IF(f, place->has_moves)) {
+        MURK_OBJECT(f, "moves", "with a rule on moves", list_moves, r);
+    }
+    if (MURK_LISTED_IF(f, plan->free.is_there)) {
+        MURK_OBJECT(f, "free", "plans without the rule on moves", list_free,
+                    &plan->free);
+    }
     if (MURK_LISTED_IF(f, scene->sensors.target > 0)) {
         MURK_OBJECT(f, "target", "with a target", list_target, r);
     }
@@ -344,6 +387,23 @@ static void print_coverage(const murk_session *session,
     }
 }
 
+static void print_moves(const murk_plan_result *plan)
+{
+    const murk_place_result *place = &plan->place;
+    murk_print("moves       %zu from the start plan", place->moves);
+    if (place->move_cost > 0) {
+        murk_print(" at a cost of %.4f: the value in sample is %.4f",
+                   murk_share(place->move_cost, place->whole),
+                   murk_share(murk_place_objective(place), place->whole));
+    }
+    if (plan->free.is_there) {
+        murk_print("; with any number of moves at no cost %.4f, and no plan "
+                   "more than %.4f",
+                   plan->free.coverage, plan->free.upper);
+    }
+    murk_print("\n");
+}
+
 static void print_plan_bound(const murk_session *session,
                              const murk_plan_result *plan,
                              const murk_condition_plans *conditions)
@@ -390,6 +450,9 @@ void murk_print_plan(const void *of)
                    session->scene->sensors.budget);
     }
     /* How good the plan is, and how it was found. */
+    if (place->has_moves) {
+        print_moves(plan);
+    }
     if (!plan->is_dark) {
         print_plan_bound(session, plan, conditions);
         murk_print_explore(plan, session->results.folder);

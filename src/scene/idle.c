@@ -22,6 +22,8 @@ enum {
     EXPLORING,
     START_PLAN,
     FROM_ANYWHERE,
+    FROM_A_PLAN,
+    STEPS,
     RESTARTS,
     BRANCHING,
     TARGET,
@@ -66,6 +68,9 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [EXPLORING] = p->knowledge == MURK_SCENE_EXPLORE,
         [START_PLAN] = p->method != MURK_PLACE_GREEDY,
         [FROM_ANYWHERE] = !is_best || !p->start_plan,
+        /* murk follow gives each step a start plan */
+        [FROM_A_PLAN] = p->start_plan || s->timeline.given,
+        [STEPS] = s->timeline.given,
         [RESTARTS] = is_best,
         [BRANCHING] = (is_best || p->method == MURK_PLACE_EXACT) &&
                       p->knowledge == MURK_SCENE_KNOWN,
@@ -94,6 +99,9 @@ const murk_idle_key murk_idle_keys[] = {
     {"placement.through", SIGHT, "bends no sightlines with visibility: normal"},
     {"placement.start_m", EXPLORING, WITHOUT "knowledge: explore"},
     {"placement.start_plan", START_PLAN, "has no effect with method: greedy"},
+    {"placement.moves_at_most", FROM_A_PLAN, WITHOUT "start_plan or timeline"},
+    {"placement.move_cost", FROM_A_PLAN, WITHOUT "start_plan or timeline"},
+    {"placement.look_ahead", STEPS, WITHOUT "timeline"},
     {"placement.restarts", RESTARTS, WITHOUT "method: best"},
     {"placement.restarts", FROM_ANYWHERE, "has no effect beside start_plan"},
     {"placement.nodes", BRANCHING,

@@ -55,6 +55,11 @@ static const murk_key PLACEMENT_ROWS[] = {
     ROW("start_m", VECTOR, PLACE_M, PLAN(start),
         FLAG(murk_scene_placement, has_start)),
     ROW("start_plan", PATH, PLAN(start_plan)),
+    ROW("moves_at_most", COUNT, .max = 1e6, PLAN(moves_max),
+        FLAG(murk_scene_placement, limits_moves)),
+    ROW("move_cost", NUMBER, .max = 1, .preset = "0", PLAN(move_cost)),
+    ROW("look_ahead", COUNT, .min = 1, .max = MURK_SCENE_CONDITIONS_MAX,
+        .preset = "1", PLAN(steps_ahead)),
     ROW("restarts", COUNT, .min = 1, .max = 1e6, .preset = "200",
         PLAN(restarts)),
     ROW("redundancy", COUNT, .min = 1, .max = 16, .preset = "1",
@@ -123,12 +128,36 @@ static murk_status check_start_plan(murk_key_reader *walk, const murk_yaml *map,
                : MURK_OK;
 }
 
+/* Plans that move few sensors, and plans for several steps, are searched from
+ * what every candidate sees, for one scene. */
+static murk_status check_moves(murk_key_reader *walk, const murk_yaml *map,
+                               const murk_scene_placement *placement)
+{
+    const bool has_moves = placement->limits_moves || placement->move_cost > 0;
+    const char *cause =
+        placement->knowledge != MURK_SCENE_KNOWN       ? "knowledge: known"
+        : placement->over != MURK_SCENE_OBJECTIVE_NONE ? "over: null"
+        : placement->at_least > 0                      ? "no at_least"
+        : has_moves && placement->method == MURK_PLACE_GREEDY
+            ? "method: best, spoq or exact"
+            : NULL;
+    const char *key = placement->limits_moves      ? "moves_at_most"
+                      : has_moves                  ? "move_cost"
+                      : placement->steps_ahead > 1 ? "look_ahead"
+                                                   : NULL;
+    return key && cause
+               ? murk_walk_fail(walk, map, "%s is given, which needs %s", key,
+                                cause)
+               : MURK_OK;
+}
+
 /* Checks that some photon has a weight, that redundancy fits the mode of
- * detection, and the needs of start_plan and at_least. */
+ * detection, and the needs of start_plan, at_least, moves and look_ahead. */
 static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                                    void *item)
 {
     const murk_scene_placement *placement = item;
+    /* The weights of photons. */
     double max = placement->elsewhere;
     for (size_t i = 0; i < placement->n_interests; ++i) {
         max = fmax(max, placement->interest[i].weight);
@@ -146,7 +175,11 @@ static murk_status check_placement(murk_key_reader *walk, const murk_yaml *map,
                               (unsigned long long)placement->redundancy,
                               murk_detection_name(placement->detection));
     }
-    const murk_status status = check_start_plan(walk, map, placement);
+    /* Keys that need others. */
+    murk_status status = check_start_plan(walk, map, placement);
+    if (!status) {
+        status = check_moves(walk, map, placement);
+    }
     return status ? status : check_at_least(walk, map, placement);
 }
 

@@ -441,9 +441,14 @@ typedef struct murk_scene_placement {
     murk_scene_through through;
     murk_scene_knowledge knowledge;
     bool has_start;
-    murk_vec3 start;  /* explore: the first position */
-    char *start_plan; /* file with the plan at which a search begins: path from
-                       * the working folder; NULL: none */
+    murk_vec3 start;   /* explore: the first position */
+    char *start_plan;  /* file with the plan at which a search begins: path from
+                        * the working folder; NULL: none */
+    bool limits_moves; /* the next is given */
+    uint64_t moves_max;   /* sensors that a plan may move from the start plan
+                           */
+    double move_cost;     /* coverage that each of these moves costs */
+    uint64_t steps_ahead; /* steps of the timeline that a plan is chosen for */
     uint64_t restarts, nodes;
     double time_limit_s; /* of the making of a plan; 0: no limit */
     double memory_mb;    /* MiB of rows in memory */

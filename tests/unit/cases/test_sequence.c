@@ -3,6 +3,8 @@
 #include "cases/sequence.h"
 #include "check.h"
 
+#include <math.h>
+
 static murk_pose at(double x, uint32_t type)
 {
     return (murk_pose){.type = type, .position = {x, 0, 0}};
@@ -127,8 +129,36 @@ static void test_failures(void)
     murk_sequence_release(&s);
 }
 
+/* Sums over the steps that have coverage: a dark step has none. */
+static void test_hindsight(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 0);
+    const murk_sequence_row rows[] = {{.in_sample = .8,
+                                       .coverage = {.75, 0},
+                                       .upper_free = .9,
+                                       .move_cost = NAN},
+                                      {.in_sample = NAN,
+                                       .coverage = {NAN, NAN},
+                                       .upper_free = NAN,
+                                       .move_cost = NAN},
+                                      {.in_sample = .5,
+                                       .coverage = {.5, 0},
+                                       .upper_free = .625,
+                                       .move_cost = .25}};
+    for (size_t i = 0; i < 3; ++i) {
+        CHECK(murk_sequence_add(&s, &rows[i], NULL) == MURK_OK);
+    }
+    const murk_sequence_hindsight h = murk_sequence_sum_up(&s);
+    CHECK(h.steps == 2);
+    CHECK(fabs(h.value - 1.05) < 1e-15 && fabs(h.held_out - 1) < 1e-15);
+    CHECK(fabs(h.upper - 1.525) < 1e-15 && fabs(h.gap - .475) < 1e-15);
+    murk_sequence_release(&s);
+}
+
 int main(void)
 {
+    test_hindsight();
     test_sensors_keep_their_numbers();
     test_nearest_pairs();
     test_drift();

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""murk follow with moves that are few or cost something, and with plans that look ahead, from outside: each step keeps
+the rule and equals murk place from the same start; the figures of plans and tables agree; a run that was stopped goes on
+to the same tables; no result depends on the threads; what the rule cannot be kept with is refused. Standard library only.
+usage: follow_moves.py MURK
+"""
+
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+MURK = os.path.abspath(sys.argv[1])
+failures = 0
+
+SCENE = """murk: 1
+domain: {min_m: [0, 0, 0], max_m: [16, 8, 4]}
+timeline:
+  from_s: 0
+  to_s: 5
+  every_s: 1
+  tracks:
+    - {geometry: load, lights: [0], keyframes: [{t_s: 0, translate_m: [2, 4, 1.2]}, {t_s: 5, translate_m: [14, 4, 1.2]}]}
+    - {sensor: 1, fails_at_s: 4}
+geometry:
+  - {box: {min_m: [0, 0, 0], max_m: [16, 8, 4]}}
+  - {name: load, box: {min_m: [-0.6, -1, -1], max_m: [0.6, 1, 1]}, translate_m: [2, 4, 1.2]}
+media: {fog: {extinction_per_m: 0.1, albedo: 0.9}}
+regions: [{medium: fog}]
+lights:
+  - {type: point, position_m: [2, 4, 2.5], power_w: 20}
+  - {type: point, position_m: [8, 1, 3.8], power_w: 2}
+photons: {emit: 1000}
+sensors:
+  types: [{name: node, range_m: 5}]
+  candidates: {grid: {min_m: [1, 1, 1], max_m: [15, 7, 3], size: [8, 4, 2]}}
+  count: 3
+"""
+
+
+def check(holds, *text):
+    global failures
+    if not holds:
+        print("follow_moves.py:", *text)
+        failures += 1
+
+
+def run(*words, code=0):
+    done = subprocess.run([MURK, *words], capture_output=True, text=True)
+    check(done.returncode == code, words, "ends with", done.returncode, done.stderr)
+    return done
+
+
+def json_of(*path):
+    with open(os.path.join(*path)) as file:
+        return json.load(file)
+
+
+def plan_of(folder):
+    plan = json_of(folder, "plan.json")
+    return {key: value for key, value in plan.items() if key not in ("run", "files")}
+
+
+def table(*path):
+    with open(os.path.join(*path), newline="") as file:
+        return [{key: value for key, value in row.items() if key != "seconds"} for row in csv.DictReader(file)]
+
+
+def places(*path):
+    return {tuple(row[key] for key in ("type", "x_m", "y_m", "z_m")) for row in table(*path)}
+
+
+def follow(scene, out, *words):
+    run("follow", scene, "-o", out, *words)
+    return table(out, "follow.csv")
+
+
+def steps_keep_the_rule(scene, out, words, at_most, cost):
+    """Each step against the rule, the tables, and murk place."""
+    rows = follow(scene, out, *words)
+    value = upper = 0
+    for k, row in enumerate(rows):
+        step, alone = os.path.join(out, f"steps/{k:04}"), out + "-alone"
+        start = os.path.join(step, "start.csv")
+        plan = plan_of(step)
+        run("place", scene, "--at", row["t_s"], "-o", alone, "--force", *words, *(["--start", start] if k else []))
+        check(plan == plan_of(alone), words, "plan of step", k)
+        bound = plan["bound"]
+        check(("moves" in plan) == (k > 0), "moves of step", k)
+        worth = float(row["in_sample"])
+        if k:
+            before, after = places(start), places(step, "sensors.csv")
+            moves = min(len(before - after), len(after - before))
+            check(moves == plan["moves"]["count"] == int(row["moves"]) <= at_most, words, k, moves, row)
+            check(abs(plan["moves"]["cost"] - moves * cost) < 1e-9, words, k, plan["moves"])
+            check(abs(float(row["move_cost"]) - moves * cost) < 1e-9, words, k, row)
+            worth -= moves * cost
+            if "look_ahead" not in plan:
+                check(abs(plan["moves"]["value"] - worth) < 1e-9, words, k, plan["moves"], worth)
+            check(plan["free"]["upper"] == float(row["upper_free"]), words, k, row)
+            shutil.rmtree(alone)
+        if "look_ahead" not in plan:
+            check(worth <= bound["upper"] + 1e-12 and bound["upper"] <= float(row["upper_free"]) + 1e-12, words, k, row)
+        check(float(row["in_sample"]) <= float(row["upper_free"]) + 1e-12, words, k, row)
+        value += worth
+        upper += float(row["upper_free"])
+    seen = json_of(out, "follow.json")["hindsight"]
+    check(seen["steps"] == len(rows), seen)
+    check(abs(seen["value"] - value) < 1e-9 and abs(seen["upper"] - upper) < 1e-9, seen, value, upper)
+    check(seen["gap"] >= 0 and abs(seen["gap"] - (upper - value)) < 1e-9, seen)
+    check(abs(seen["mean_value"] * len(rows) - value) < 1e-9, seen)
+    return rows, value
+
+
+def goes_on(scene, out, words):
+    """A stop and other threads change nothing."""
+    rows, moves = table(out, "follow.csv"), table(out, "moves.csv")
+    for missing in (2, 4):
+        shutil.rmtree(os.path.join(out, f"steps/{missing:04}"))
+    check(follow(scene, out, *words) == rows, words, "follow.csv after a stop")
+    for threads in ("1", "5"):
+        other = out + "-threads"
+        check(follow(scene, other, *words, "-j", threads) == rows, words, threads, "threads")
+        check(table(other, "moves.csv") == moves, words, threads, "threads")
+        shutil.rmtree(other)
+
+
+def moves_are_few(folder, scene):
+    free = follow(scene, os.path.join(folder, "free"))
+    check(sum(int(row["moved"]) for row in free[1:]) > 6, "moves without a rule", free)
+    for method in ("best", "spoq", "exact"):
+        words = ["--set", f"placement.method={method}", "--set", "placement.moves_at_most=1"]
+        rows, value = steps_keep_the_rule(scene, os.path.join(folder, method), words, 1, 0)
+        check(sum(int(row["moves"]) for row in rows[1:]) >= 3, method, "moves", rows)
+        if method == "best":
+            goes_on(scene, os.path.join(folder, method), words)
+    # Nothing may move: the plan stays, but for the sensor that fails.
+    rows, none = steps_keep_the_rule(scene, os.path.join(folder, "none"), ["--set", "placement.moves_at_most=0"], 0, 0)
+    check(all(row["moved"] == "0" for row in rows[1:]) and none < value, "no moves", rows)
+    # A cost: fewer moves than without; each is worth it.
+    words = ["--set", "placement.move_cost=0.02"]
+    out = os.path.join(folder, "cost")
+    rows, _ = steps_keep_the_rule(scene, out, words, 3, 0.02)
+    moves = sum(int(row["moves"]) for row in rows[1:])
+    check(0 < moves < sum(int(row["moved"]) for row in free[1:]), "moves at a cost", moves)
+    goes_on(scene, out, words)
+
+
+def refusals(scene):
+    for words, text in (
+            (["placement.method=greedy"], "moves_at_most is given, which needs method: best, spoq or exact"),
+            (["placement.knowledge=unknown"], "moves_at_most is given, which needs knowledge: known"),
+            (["placement.over=mean"], "moves_at_most is given, which needs over: null"),
+            (["sensors.budget=3"], "moves of a number of sensors"),
+            (["sensors.target=0.5", "placement.move_cost=0.1"], "does not weigh")):
+        sets = [word for one in words for word in ("--set", one)]
+        done = run("place", scene, "--set", "placement.moves_at_most=1", *sets, code=2)
+        check(text in done.stderr and done.stderr.count("\n") == 1, words, done.stderr)
+
+
+with tempfile.TemporaryDirectory() as folder:
+    scene = os.path.join(folder, "scene.yaml")
+    with open(scene, "w") as file:
+        file.write(SCENE)
+    moves_are_few(folder, scene)
+    refusals(scene)
+sys.exit(failures > 0)
