@@ -523,7 +523,10 @@ static bool take_earlier(const murk_follow *follow, step_work *step)
         has_light(follow, step->number, plan) &&
         !read_sensors(step, path, NULL);
     if (is_it) {
-        const cJSON *traced = cJSON_GetObjectItem(ledger, "photons_emitted");
+        const cJSON *all = at(plan, "look_ahead", "photons"),
+                    *traced =
+                        all ? all
+                            : cJSON_GetObjectItem(ledger, "photons_emitted");
         fill_row(step, plan);
         step->row.photons_traced =
             (uint64_t)cJSON_GetNumberValue(traced) - step->row.photons_kept;
@@ -572,11 +575,12 @@ static murk_status save_step(murk_follow *follow, step_work *step,
     if (!status) {
         murk_traced *traced = plan->session.traced;
         fill_row(step, saved->root);
-        step->row.photons_traced =
-            traced && traced->ledger
-                ? (uint64_t)murk_tally_read(&traced->ledger->photons) -
-                      step->row.photons_kept
-                : 0;
+        const uint64_t photons =
+            plan->plan.ahead ? plan->ahead.photons
+            : traced && traced->ledger
+                ? (uint64_t)murk_tally_read(&traced->ledger->photons)
+                : step->row.photons_kept;
+        step->row.photons_traced = photons - step->row.photons_kept;
         status = path ? read_sensors(step, path, err)
                       : fill_sensors(step, plan->plan.sensor,
                                      plan->plan.place.count, err);

@@ -13,6 +13,7 @@
 
 #include "base/host.h"
 #include "base/memory_files.h"
+#include "cases/ahead.h"
 #include "cases/repeat.h"
 #include "plan/measured.h"
 #include "results/fields.h"
@@ -85,6 +86,10 @@ struct murk_world {
     murk_held_arrays held;
     murk_scene_desc *desc;
     murk_stage *stage;
+    /* [laters] the steps after this time that a plan looks ahead to. */
+    murk_scene_desc *later_desc[MURK_SCENE_CONDITIONS_MAX];
+    murk_stage *later[MURK_SCENE_CONDITIONS_MAX];
+    size_t laters;
     double begun_s, load_s; /* begun_s: clock when the reading of the scene
                              * began; load_s: time from begun_s to the end of
                              * reading, or, once the stage is built, to the end
@@ -141,10 +146,18 @@ struct murk_plan {
                            * light, session.traced, if `light` is NULL; zeros
                            * for a plan for a matrix */
     murk_plan_result plan;
+    murk_ahead ahead;                 /* plan.ahead if the plan looks ahead */
     murk_condition_plans *conditions; /* NULL unless over conditions */
     murk_repeat repeat;               /* runs 0: not repeated */
     murk_fields fields, saved;
 };
+
+/* True if plans look ahead to later steps. */
+static inline bool murk_world_is_ahead(const murk_world *world)
+{
+    return world->desc->timeline.given &&
+           world->desc->placement.steps_ahead > 1;
+}
 
 /* True if positions count from the same local origin in both worlds. */
 static inline bool murk_worlds_share_origin(const murk_world *a,

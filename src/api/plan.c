@@ -89,24 +89,83 @@ static murk_status trace(murk_plan *plan, const murk_box *watched,
     return status;
 }
 
+/* The same for the light of a plan that looks ahead, and of the later steps.
+ * A step of a sequence takes over the light that the step before has. */
+static murk_status trace_ahead(murk_plan *plan, const making *m,
+                               murk_error *err)
+{
+    murk_session *session = &plan->session;
+    const murk_world *world = plan->world;
+    murk_ahead *a = &plan->ahead;
+    *a = (murk_ahead){.n = 1 + world->laters,
+                      .before =
+                          m->is_step && m->earlier ? &m->earlier->ahead : NULL};
+    a->stage[0] = session->stage;
+    a->traced[0] = session->traced; /* that was given, or NULL */
+    for (size_t i = 0; i < world->laters; ++i) {
+        a->stage[i + 1] = world->later[i];
+    }
+    const murk_status status = murk_ahead_trace(
+        a, plan->plan.keeps_matrix, m->watched, world->context->threads, err);
+    plan->plan.ahead = a;
+    session->traced = a->traced[0];
+    if (status) {
+        return status;
+    }
+    session->run.reused_photons = a->reused;
+    const murk_traced *last = a->traced[a->n - 1];
+    if (last->cells) {
+        session->run.has_watched = true;
+        session->run.watched = last->cells->box;
+    }
+    return MURK_OK;
+}
+
+/* Gives light that was taken over to its plan: to this one, or after a failure
+ * to the one before. */
+static void end_ahead(murk_plan *plan, const making *m, bool is_done)
+{
+    murk_plan *earlier = m->is_step ? m->earlier : NULL;
+    murk_ahead_end(&plan->ahead, is_done);
+    if (plan->plan.ahead && !plan->light) {
+        plan->session.traced = plan->ahead.traced[0];
+    }
+    if (earlier && earlier->plan.ahead) {
+        earlier->session.traced = earlier->ahead.traced[0];
+    }
+}
+
 /* Places sensors for the given light, or, if `light` is NULL, for light that is
  * traced here. Errors in the settings of sensors are found before light is
  * traced. */
-static murk_status place(murk_plan *plan, const making *m, murk_error *err)
+static murk_status place(murk_plan *plan, const making *m,
+                         murk_earlier_plan *before, murk_error *err)
 {
     murk_light *light = m->light;
     murk_session *session = &plan->session;
     const unsigned threads = plan->world->context->threads;
+    const bool is_ahead = murk_world_is_ahead(plan->world) &&
+                          !murk_stage_has_nothing_to_see(session->stage);
     murk_status status =
         murk_plan_prepare(&plan->plan, session->stage, threads, err);
-    if (!status && !light) {
+    /* The light, and that of later steps. */
+    if (!status && !light && !is_ahead) {
         status = trace(plan, m->watched, err);
-    } else if (!status) {
+    } else if (!status && light) {
         plan->light = light;
         ++light->references;
         session->traced = light->session.traced;
         session->settings.light = light->path;
         session->run.load_s = light->session.run.load_s;
+    }
+    if (!status && is_ahead) {
+        status = trace_ahead(plan, m, err);
+    }
+    /* The rows of the step before; murk_ahead_choose() finds its own. */
+    if (!status && is_ahead && plan->plan.earlier &&
+        !murk_ahead_earlier(before, &plan->ahead, 0, before) &&
+        plan->ahead.n == 1) {
+        plan->plan.earlier = NULL;
     }
     return status ? status
                   : murk_plan_for_scene(&plan->plan, session->stage,
@@ -126,9 +185,10 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
         world->desc->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     murk_status status = MURK_NO_MEMORY;
     if (plan && earlier) {
-        before = (murk_earlier_plan){
-            earlier->session.stage, earlier->session.traced,
-            earlier->plan.poses, earlier->plan.tested, &earlier->plan.matrix};
+        before =
+            (murk_earlier_plan){earlier->session.stage, earlier->session.traced,
+                                earlier->plan.poses,    earlier->plan.tested,
+                                &earlier->plan.matrix,  0};
         plan->plan.earlier = &before;
     }
     if (plan && earlier && !m->is_step) { /* steps name a file */
@@ -149,10 +209,11 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
                                         &call.failure);
         if (!status) {
             status = has_conditions ? place_conditions(plan, &call.failure)
-                                    : place(plan, m, &call.failure);
+                                    : place(plan, m, &before, &call.failure);
         }
         murk_finish_allow(false);
         murk_finish_set_deadline(INFINITY);
+        end_ahead(plan, m, !status);
         plan->plan.earlier = NULL;
         plan->plan.start_sensor = NULL;
     }
@@ -241,6 +302,7 @@ void murk_plan_destroy(murk_plan *plan)
         free(plan->conditions);
     }
     murk_repeat_release(&plan->repeat);
+    murk_ahead_release(&plan->ahead);
     murk_plan_result_release(&plan->plan);
     murk_fields_release(&plan->fields);
     murk_fields_release(&plan->saved);

@@ -2,9 +2,12 @@
  * built from it. */
 #include "api/scene.h"
 
+#include "base/log.h"
 #include "base/number.h"
 #include "base/progress.h"
 #include "base/ranks.h"
+#include "scene/override.h"
+#include "scene/timeline.h"
 #include "world/stage_build.h"
 
 #include <math.h>
@@ -33,6 +36,101 @@ murk_status murk_world_build(murk_world *world, murk_error *err)
     return build_after(world, NULL, err);
 }
 
+/* ---- later steps ---- */
+
+/* True for failures that are due to the scene at one time. */
+static bool is_of_step(murk_status status)
+{
+    return status == MURK_BAD_VALUE || status == MURK_BAD_FILE ||
+           status == MURK_UNSUPPORTED;
+}
+
+/* Reads the scene at another time. */
+static murk_status describe_at(murk_scene_desc **out, const murk_scene *scene,
+                               double t_s, murk_error *err)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_override *set = calloc(scene->n + 1, sizeof *set);
+    if (!set) {
+        return murk_no_memory(err, scene->name, "for a later step");
+    }
+    memcpy(set, scene->set, scene->n * sizeof *set);
+    murk_number_print(text, t_s);
+    murk_status status =
+        murk_override_make(&set[scene->n], "timeline.at_s", text, err);
+    if (!status) {
+        status = murk_scene_desc_parse(out, scene->text, scene->name, set,
+                                       scene->n + 1, err);
+        murk_override_release(&set[scene->n]);
+    }
+    free(set);
+    return status;
+}
+
+/* Reads a later step and imports its files. A step whose scene is wrong at its
+ * time is left out: it has no plan either. */
+static murk_status add_later(murk_world *world, const murk_scene *scene,
+                             double t_s, murk_error *err)
+{
+    murk_error why = {.size = sizeof why};
+    murk_scene_desc *desc = NULL;
+    murk_stage *stage = NULL;
+    murk_status status = describe_at(&desc, scene, t_s, &why);
+    if (!status) {
+        status = murk_stage_import(&stage, desc, &why);
+    }
+    if (status) {
+        murk_scene_desc_destroy(desc);
+        if (is_of_step(status)) {
+            murk_note("placement.look_ahead", "leaves out the step at %g s: %s",
+                      t_s, why.text);
+            return MURK_OK;
+        }
+        murk_call_pass(err, &why);
+        return status;
+    }
+    world->later_desc[world->laters] = desc;
+    world->later[world->laters++] = stage;
+    return MURK_OK;
+}
+
+/* Reads the steps that a plan looks ahead to, before any ray device exists. */
+static murk_status read_later(murk_world *world, const murk_scene *scene,
+                              murk_error *err)
+{
+    const murk_scene_timeline *timeline = &world->desc->timeline;
+    const size_t steps = murk_world_is_ahead(world)
+                             ? (size_t)world->desc->placement.steps_ahead
+                             : 1;
+    murk_status status = MURK_OK;
+    size_t found = 1;
+    for (size_t i = 0;
+         found < steps && i < murk_timeline_steps(timeline) && !status; ++i) {
+        const double t_s = murk_timeline_time_s(timeline, i);
+        if (t_s > timeline->at_s) {
+            status = add_later(world, scene, t_s, err);
+            ++found;
+        }
+    }
+    return status;
+}
+
+/* Builds the world, and those of the later steps. */
+static murk_status build_all(murk_world *world, const murk_scene *scene,
+                             const murk_stage *earlier, murk_error *err)
+{
+    murk_status status = read_later(world, scene, err);
+    if (!status) {
+        status = build_after(world, earlier, err);
+    }
+    for (size_t i = 0; i < world->laters && !status; ++i) {
+        status = murk_stage_build(world->later[i], err);
+    }
+    return status;
+}
+
+/* ---- the world ---- */
+
 /* Reads the scene, passes the notes and warnings of murk_scene_tell() to the
  * log, and builds the world unless there are conditions to place over. */
 static murk_status build(murk_world *world, murk_scene *scene,
@@ -51,7 +149,7 @@ static murk_status build(murk_world *world, murk_scene *scene,
     }
     murk_scene_tell(world->desc);
     return world->desc->placement.over == MURK_SCENE_OBJECTIVE_NONE
-               ? build_after(world, earlier, err)
+               ? build_all(world, scene, earlier, err)
                : MURK_OK;
 }
 
@@ -196,6 +294,10 @@ void murk_world_release(murk_world *world)
     murk_context_forget_arrays(world->context, &world->held);
     murk_fields_release(&world->replayed);
     murk_fields_release(&world->checked);
+    for (size_t i = 0; i < world->laters; ++i) {
+        murk_stage_destroy(world->later[i]);
+        murk_scene_desc_destroy(world->later_desc[i]);
+    }
     murk_stage_destroy(world->stage);
     murk_scene_desc_destroy(world->desc);
     murk_memory_release(&world->files);

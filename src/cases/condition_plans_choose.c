@@ -6,6 +6,7 @@
 #include "cases/condition_plans.h"
 
 #include "base/progress.h"
+#include "cases/ahead.h"
 #include "cases/scenarios.h"
 
 #include <stdio.h>
@@ -223,7 +224,10 @@ murk_status murk_condition_plans_choose(murk_condition_plans *plans,
     if (!all->is_scene) {
         return choose_joined(&ch, err);
     }
-    const murk_status status = murk_plan_choose(plan, all->condition[0].stage,
-                                                all->condition[0].sight, err);
+    murk_sight *sight = all->condition[0].sight;
+    const murk_status status =
+        plan->ahead && plan->ahead->n > 1
+            ? murk_ahead_choose(plan, sight, err)
+            : murk_plan_choose(plan, all->condition[0].stage, sight, err);
     return status ? status : keep(&ch, "", &plan->place, 1, err);
 }

@@ -153,6 +153,17 @@ murk_status murk_scenarios_create(murk_scenarios **out,
                                   const double *shares, size_t n,
                                   const murk_poses *poses, murk_error *err)
 {
+    const murk_scenarios_rows none = {0};
+    return murk_scenarios_create_from(out, scene, sight, shares, n, poses,
+                                      &none, err);
+}
+
+murk_status
+murk_scenarios_create_from(murk_scenarios **out, const murk_scene_desc *scene,
+                           murk_sight *const *sight, const double *shares,
+                           size_t n, const murk_poses *poses,
+                           const murk_scenarios_rows *rows, murk_error *err)
+{
     assert(n >= 1 && n <= MURK_BLOCKS_MAX);
     murk_scenarios *j = calloc(1, sizeof *j);
     if (!j) {
@@ -166,6 +177,10 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     for (size_t c = 0; c < n; ++c) {
         murk_sight_problem_init(&j->part[c], sight[c], poses->pose,
                                 poses->count);
+        murk_sight_problem_know(&j->part[c],
+                                rows->known ? rows->known[c] : NULL);
+        j->part[c].tested =
+            rows->tested ? rows->tested + c * poses->count : NULL;
         j->blocks.first[c + 1] =
             j->blocks.first[c] + j->part[c].problem.photons;
     }
@@ -173,6 +188,8 @@ murk_status murk_scenarios_create(murk_scenarios **out,
                                         redundancy and the threads */
     j->problem.photons = j->blocks.first[n];
     j->problem.is_reweighed = true;
+    j->problem.earlier_hash = NULL; /* no photons are merged */
+    j->problem.has_columns = rows->has_columns;
     j->problem.get_row = get_row;
     j->problem.get_part = get_part;
     j->problem.rest = NULL;
@@ -197,8 +214,9 @@ murk_status murk_scenarios_create(murk_scenarios **out,
     }
     if (!status && scene->placement.knowledge == MURK_SCENE_KNOWN) {
         const double begun_s = murk_clock_s();
-        status = murk_matrix_create(&j->matrix, &j->problem,
-                                    murk_plan_desc(scene).row_memory, err);
+        status = murk_matrix_create(
+            &j->matrix, &j->problem,
+            murk_plan_desc(scene).row_memory - rows->memory_taken, err);
         j->sense_s = murk_clock_s() - begun_s;
     }
     if (status) {

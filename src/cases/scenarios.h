@@ -46,6 +46,20 @@ murk_status murk_scenarios_create(murk_scenarios **out,
                                   murk_sight *const *sight,
                                   const double *shares, size_t n,
                                   const murk_poses *poses, murk_error *err);
+/* The same with rows of an earlier plan. */
+typedef struct murk_scenarios_rows {
+    const murk_known_rows *const *known; /* [n] of each scenario; an element
+                                          * NULL: none */
+    uint32_t *tested; /* [n][candidates] gets the sightlines of each row; NULL:
+                       * nobody asks */
+    uint64_t memory_taken; /* of the memory for rows, in bytes */
+    bool has_columns;      /* as in murk_problem */
+} murk_scenarios_rows;
+murk_status
+murk_scenarios_create_from(murk_scenarios **out, const murk_scene_desc *scene,
+                           murk_sight *const *sight, const double *shares,
+                           size_t n, const murk_poses *poses,
+                           const murk_scenarios_rows *rows, murk_error *err);
 void murk_scenarios_destroy(murk_scenarios *scenarios); /* NULL is fine */
 
 /* Method, constraints, and number, target or budget of the sensors as the scene

@@ -152,6 +152,12 @@ static bool match_photons(murk_earlier_rows *rows, const photon_list *earlier,
     return has_memory;
 }
 
+/* The slot of a photon of the earlier light in its matrix. */
+static size_t slot_of(const murk_earlier_rows *rows, uint32_t photon)
+{
+    return murk_matrix_slot(rows->matrix, (uint32_t)(rows->offset + photon));
+}
+
 /* Lists the new photons of each slot of the earlier matrix. False when out of
  * memory. */
 static bool list_by_slot(murk_earlier_rows *rows, size_t photons)
@@ -168,7 +174,7 @@ static bool list_by_slot(murk_earlier_rows *rows, size_t photons)
      * filled. */
     for (size_t i = 0; i < photons; ++i) {
         if (rows->same[i] != NO_PHOTON) {
-            ++rows->first[murk_matrix_slot(rows->matrix, rows->same[i]) + 2];
+            ++rows->first[slot_of(rows, rows->same[i]) + 2];
         }
     }
     for (size_t s = 0; s < slots; ++s) {
@@ -176,7 +182,7 @@ static bool list_by_slot(murk_earlier_rows *rows, size_t photons)
     }
     for (size_t i = 0; i < photons; ++i) {
         if (rows->same[i] != NO_PHOTON) {
-            const size_t slot = murk_matrix_slot(rows->matrix, rows->same[i]);
+            const size_t slot = slot_of(rows, rows->same[i]);
             rows->photon[rows->first[slot + 1]++] = (uint32_t)i;
         }
     }
@@ -489,7 +495,8 @@ static void take_hashes(murk_earlier_rows *rows, size_t photons,
     rows->hash = murk_arena_array(&rows->arena, photons, sizeof *rows->hash);
     for (size_t i = 0; rows->hash && i < photons; ++i) {
         const uint32_t k = rows->same[i];
-        rows->hash[i] = k == NO_PHOTON ? 0 : atomic_load(&hash[k]);
+        rows->hash[i] =
+            k == NO_PHOTON ? 0 : atomic_load(&hash[rows->offset + k]);
     }
 }
 
@@ -512,6 +519,7 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     rows.matrix = *earlier->matrix;
     rows.tested = earlier->tested;
     rows.threads = murk_sight_described(sight)->threads;
+    rows.offset = earlier->first;
     const murk_world_use what = accepts_scattered(stage->scene)
                                     ? MURK_USE_ACCEPTING_SIGHT
                                     : MURK_USE_SIGHT;

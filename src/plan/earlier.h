@@ -22,6 +22,8 @@ typedef struct murk_earlier_plan {
     const murk_poses *poses;
     const uint32_t *tested; /* [poses] */
     murk_matrix **matrix;
+    size_t first; /* number of the first photon of this light in the matrix,
+                   * which may have those of other steps, too */
 } murk_earlier_plan;
 
 /* Scratch memory of a thread: the earlier row by slot, the new row, and the
@@ -45,6 +47,7 @@ typedef struct murk_earlier_rows {
     const murk_poses *poses;
     const murk_matrix *matrix;
     const uint32_t *tested;
+    size_t offset;       /* first photon of the earlier light in its matrix */
     uint32_t *same;      /* [photons of the new plan] number of the equal
                           * photon of the earlier plan; UINT32_MAX: none */
     uint32_t *first;     /* [slots + 1] the photons of a slot of the earlier

@@ -290,15 +290,13 @@ static void forecast_unknown(murk_plan_result *plan, murk_sight *sight,
         each_s * (double)n);
 }
 
-/* The memory that earlier rows take of that for rows. */
-static uint64_t memory_taken(const murk_earlier_rows *rows, uint64_t memory)
+uint64_t murk_plan_memory_taken(const murk_matrix *earlier, uint64_t memory)
 {
-    const uint64_t taken = rows->matrix ? murk_matrix_memory(rows->matrix) : 0;
+    const uint64_t taken = earlier ? murk_matrix_memory(earlier) : 0;
     return taken < memory ? taken : memory;
 }
 
-/* Destroys the matrix of the earlier plan, whose rows are not needed again. */
-static void forget_earlier(murk_plan_result *plan)
+void murk_plan_forget_earlier(murk_plan_result *plan)
 {
     if (plan->earlier) {
         murk_matrix_destroy(*plan->earlier->matrix);
@@ -321,9 +319,7 @@ static void keep_matrix(murk_plan_result *plan, murk_matrix *matrix,
     free(tested);
 }
 
-/* Numbers of sightlines for the rows of a matrix that stays; NULL when out of
- * memory, and the matrix then does not stay. */
-static uint32_t *note_sightlines(size_t candidates)
+uint32_t *murk_plan_note_sightlines(size_t candidates)
 {
     uint32_t *tested = malloc(candidates * sizeof *tested + 1);
     for (size_t i = 0; tested && i < candidates; ++i) {
@@ -347,15 +343,22 @@ murk_status murk_plan_choose_free(murk_plan_result *plan,
     desc.with_curve = false;
     const murk_status status =
         murk_place_sensors(&any, problem, matrix, &desc, err);
+    return murk_plan_take_free(plan, &any, status);
+}
+
+murk_status murk_plan_take_free(murk_plan_result *plan, murk_place_result *any,
+                                murk_status status)
+{
     if (!status) {
-        const double whole = (double)any.whole;
-        plan->free = (murk_free_plan){true, (double)any.value / whole,
-                                      (double)any.upper / whole};
-        plan->place.evaluations += any.evaluations;
-        plan->place.nodes += any.nodes;
-        plan->place.is_interrupted |= any.is_interrupted;
+        const double whole = (double)any->whole;
+        plan->free = (murk_free_plan){true, (double)any->value / whole,
+                                      (double)any->upper / whole,
+                                      (double)any->ceiling / whole};
+        plan->place.evaluations += any->evaluations;
+        plan->place.nodes += any->nodes;
+        plan->place.is_interrupted |= any->is_interrupted;
     }
-    murk_place_release(&any);
+    murk_place_release(any);
     return status;
 }
 
@@ -404,9 +407,10 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     status = murk_earlier_rows_create(&rows, plan->earlier, plan->poses, stage,
                                       sight, err);
     seen.problem.has_columns = plan->keeps_matrix;
-    seen.tested =
-        plan->keeps_matrix ? note_sightlines(plan->poses->count) : NULL;
-    const uint64_t taken = memory_taken(&rows, desc.row_memory);
+    seen.tested = plan->keeps_matrix
+                      ? murk_plan_note_sightlines(plan->poses->count)
+                      : NULL;
+    const uint64_t taken = murk_plan_memory_taken(rows.matrix, desc.row_memory);
     const size_t at_least = murk_plan_at_least(stage->scene);
     murk_at_least strict;
     murk_sight_problem_know(&seen, rows.known.get ? &rows.known : NULL);
@@ -417,7 +421,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
             murk_matrix_create(&matrix, problem, desc.row_memory - taken, err);
     }
     murk_earlier_rows_release(&rows);
-    forget_earlier(plan);
+    murk_plan_forget_earlier(plan);
     plan->sense_s = murk_clock_s() - begun_s;
     begun_s = murk_clock_s();
     if (!status && at_least) {

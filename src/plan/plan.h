@@ -115,6 +115,7 @@ bool murk_plan_has_streams(const murk_scene_desc *scene);
 typedef struct murk_free_plan {
     bool is_there;          /* false: the plan itself is this plan */
     double coverage, upper; /* upper: of any plan of as many sensors */
+    double ceiling;         /* coverage of all candidates */
 } murk_free_plan;
 
 typedef struct murk_plan_result {
@@ -124,14 +125,18 @@ typedef struct murk_plan_result {
                                     * which the search begins in place of
                                     * placement.start_plan; NULL: none */
     size_t start_sensors;
-    bool keeps_matrix;                /* set by the caller: `matrix` stays */
+    bool keeps_matrix;        /* set by the caller: `matrix` stays */
+    struct murk_ahead *ahead; /* set by the caller (cases/ahead.h): the steps
+                               * that the plan is chosen for; NULL: its own time
+                               */
     const murk_earlier_plan *earlier; /* set by the caller: a plan whose rows
                                        * are taken over where they are the
                                        * same; NULL: none. Its matrix is
                                        * destroyed by then */
     murk_matrix *matrix; /* of a known environment, with keeps_matrix, unless it
                           * takes more than half of memory_mb; else NULL */
-    uint32_t *tested;    /* [poses] sightlines of each row, with `matrix` */
+    uint32_t *tested;    /* [poses] sightlines of each row, with `matrix`; with
+                          * `ahead` [steps of the matrix][poses] */
     murk_candidates *candidates;
     murk_poses *poses; /* poses of the candidates: the choices of placement */
     murk_place_result place;
@@ -204,6 +209,22 @@ murk_status murk_plan_choose_free(murk_plan_result *plan,
                                   const murk_problem *problem,
                                   const murk_matrix *matrix,
                                   const murk_place_desc *like, murk_error *err);
+
+/* Fills plan->free from the result of such a search, which it releases, unless
+ * status says that the search failed; returns status. */
+murk_status murk_plan_take_free(murk_plan_result *plan, murk_place_result *any,
+                                murk_status status);
+
+/* Numbers of sightlines for so many rows of a matrix that stays; NULL when out
+ * of memory, and the matrix then does not stay. The caller frees it. */
+uint32_t *murk_plan_note_sightlines(size_t candidates);
+
+/* Destroys the matrix of plan->earlier, whose rows are not needed again. */
+void murk_plan_forget_earlier(murk_plan_result *plan);
+
+/* The memory that the matrix of an earlier plan takes of that for rows; 0
+ * without a matrix. */
+uint64_t murk_plan_memory_taken(const murk_matrix *earlier, uint64_t memory);
 
 /* Fills plan->sensor from plan->place and the poses. */
 murk_status murk_plan_take_sensors(murk_plan_result *plan,

@@ -1,6 +1,7 @@
 /* A plan for a scene: fields of plan.json, and lines of the summary. */
 #include "results/plan.h"
 
+#include "cases/ahead.h"
 #include "results/candidates.h"
 #include "results/condition_results.h"
 #include "results/coverage.h"
@@ -97,6 +98,20 @@ static double ceiling_of(const murk_place_result *place)
     return murk_share(place->ceiling, place->whole);
 }
 
+/* True if the plan was chosen for later steps as well, so that value and bound
+ * are means. */
+static bool is_ahead(const murk_plan_result *plan)
+{
+    return plan->ahead && plan->ahead->n > 1;
+}
+
+/* The coverage of all candidates at the time of the plan. */
+static double ceiling_at(const murk_plan_result *plan)
+{
+    return is_ahead(plan) && plan->free.is_there ? plan->free.ceiling
+                                                 : ceiling_of(&plan->place);
+}
+
 static void list_coverage(murk_results_fields *f, const void *of)
 {
     const murk_plan_results *r = of;
@@ -113,9 +128,8 @@ static void list_coverage(murk_results_fields *f, const void *of)
     MURK_ESTIMATE(f, "volume", "1", "of the volume map alone",
                   plan->in_sample.volume);
     MURK_NUMBER(f, "ceiling", "1", "coverage of all candidates",
-                murk_plan_at_least(r->session->scene) > 0
-                    ? NAN
-                    : ceiling_of(&plan->place));
+                murk_plan_at_least(r->session->scene) > 0 ? NAN
+                                                          : ceiling_at(plan));
     MURK_NUMBER(f, "sum_of_views", "1", "sum of the sensors' own coverages",
                 plan->in_sample.sum_of_views);
 }
@@ -165,8 +179,25 @@ static void list_moves(murk_results_fields *f, const void *of)
                 asked->limits_moves ? (double)asked->moves_max : NAN);
     MURK_NUMBER(f, "cost", "1", "of these moves, as coverage",
                 murk_share(place->move_cost, place->whole));
-    MURK_NUMBER(f, "value", "1", "coverage less cost, in sample, 0 at least",
-                murk_share(murk_place_objective(place), place->whole));
+    MURK_NUMBER(
+        f, "value", "1",
+        "coverage (with look_ahead the mean) less cost, in sample, 0 at "
+        "least",
+        murk_share(murk_place_objective(place), place->whole));
+}
+
+/* The object "look_ahead". */
+static void list_ahead(murk_results_fields *f, const void *of)
+{
+    const murk_plan_result *plan = of;
+    MURK_COUNT(f, "steps", "with something to see, this one first",
+               plan->ahead->seen);
+    MURK_NUMBER(
+        f, "value", "1",
+        "mean coverage of these steps in sample, less the cost of moves, "
+        "which bound and curve are of",
+        murk_share(murk_place_objective(&plan->place), plan->place.whole));
+    MURK_COUNT(f, "photons", "traced in all steps", plan->ahead->photons);
 }
 
 /* The object "free". */
@@ -267,9 +298,13 @@ void murk_results_list_plan(murk_results_fields *f, const void *of)
     if (MURK_LISTED_IF(f, place->has_moves)) {
         MURK_OBJECT(f, "moves", "with a rule on moves", list_moves, r);
     }
+    if (MURK_LISTED_IF(f, is_ahead(plan))) {
+        MURK_OBJECT(f, "look_ahead", "with placement.look_ahead", list_ahead,
+                    plan);
+    }
     if (MURK_LISTED_IF(f, plan->free.is_there)) {
-        MURK_OBJECT(f, "free", "plans without the rule on moves", list_free,
-                    &plan->free);
+        MURK_OBJECT(f, "free", "plans without a rule on moves and later steps",
+                    list_free, &plan->free);
     }
     if (MURK_LISTED_IF(f, scene->sensors.target > 0)) {
         MURK_OBJECT(f, "target", "with a target", list_target, r);
@@ -349,8 +384,7 @@ static void print_coverage(const murk_session *session,
         murk_print_maps(&plan->in_sample);
         murk_print(")");
         if (murk_plan_at_least(session->scene) == 0) {
-            murk_print("; all candidates: %.4f",
-                       murk_share(place->ceiling, place->whole));
+            murk_print("; all candidates: %.4f", ceiling_at(plan));
         }
         murk_print("\n");
         murk_print_weights(session->scene, &plan->in_sample);
@@ -452,6 +486,12 @@ void murk_print_plan(const void *of)
     /* How good the plan is, and how it was found. */
     if (place->has_moves) {
         print_moves(plan);
+    }
+    if (is_ahead(plan)) {
+        murk_print("look ahead  %zu steps: the mean in sample, less moves, is "
+                   "%.4f, and the bound is of it\n",
+                   plan->ahead->seen,
+                   murk_share(murk_place_objective(place), place->whole));
     }
     if (!plan->is_dark) {
         print_plan_bound(session, plan, conditions);

@@ -33,7 +33,7 @@ regions: [{medium: fog}]
 lights:
   - {type: point, position_m: [2, 4, 2.5], power_w: 20}
   - {type: point, position_m: [8, 1, 3.8], power_w: 2}
-photons: {emit: 1000}
+photons: {emit: 600}
 sensors:
   types: [{name: node, range_m: 5}]
   candidates: {grid: {min_m: [1, 1, 1], max_m: [15, 7, 3], size: [8, 4, 2]}}
@@ -149,6 +149,41 @@ def moves_are_few(folder, scene):
     goes_on(scene, out, words)
 
 
+def plans_look_ahead(folder, scene):
+    """A plan is chosen for its own step and the next ones."""
+    words = ["--set", "placement.moves_at_most=1", "--set", "placement.move_cost=0.001"]
+    one = follow(scene, os.path.join(folder, "one"), *words)
+    check(follow(scene, os.path.join(folder, "also-one"), *words, "--set", "placement.look_ahead=1") == one, "look_ahead: 1")
+    words += ["--set", "placement.look_ahead=3"]
+    out = os.path.join(folder, "ahead")
+    rows, _ = steps_keep_the_rule(scene, out, words, 1, 0.001)
+    check([row["moved"] for row in rows] != [row["moved"] for row in one], "looking ahead changes nothing")
+    for k, row in enumerate(rows):
+        plan = plan_of(os.path.join(out, f"steps/{k:04}"))
+        ahead = plan.get("look_ahead")
+        check((ahead["steps"] if ahead else 1) == min(3, len(rows) - k), "steps of", k, ahead)
+        if not ahead:
+            continue
+        # The value is the mean of the coverage in each step, less moves, and keeps its bound.
+        seen = []
+        for step in range(k, k + ahead["steps"]):
+            words_at = ["--at", rows[step]["t_s"], "--sensors", os.path.join(out, f"steps/{k:04}/plan.json")]
+            done = run("sense", scene, *words_at, "--set", "sensors.count=3", "--format", "json")
+            seen.append(json.loads(done.stdout)["coverage"]["in_sample"])
+        cost = plan["moves"]["cost"] if k else 0
+        check(abs(sum(seen) / len(seen) - cost - ahead["value"]) < 1e-6, "mean of", k, seen, ahead)
+        check(ahead["value"] <= plan["bound"]["upper"] + 1e-12, "bound of", k, plan["bound"])
+        check(abs(seen[0] - plan["coverage"]["in_sample"]) < 1e-9, "own time of", k, seen)
+    # Light and sightlines are computed once: of three steps, two are those of the step before.
+    for k in range(1, 4):
+        kept, traced = int(rows[k]["photons_kept"]), int(rows[k]["photons_traced"])
+        check(kept + traced == 1800 and traced <= 600, "photons of step", k, rows[k])
+        kept, looked = int(rows[k]["pairs_kept"]), int(rows[k]["pairs_looked"])
+        check(kept >= looked, "sightlines of step", k, rows[k])
+    check(rows[5]["photons_kept"] == "600", "photons of the last step", rows[5])
+    goes_on(scene, out, words)
+
+
 def refusals(scene):
     for words, text in (
             (["placement.method=greedy"], "moves_at_most is given, which needs method: best, spoq or exact"),
@@ -166,5 +201,6 @@ with tempfile.TemporaryDirectory() as folder:
     with open(scene, "w") as file:
         file.write(SCENE)
     moves_are_few(folder, scene)
+    plans_look_ahead(folder, scene)
     refusals(scene)
 sys.exit(failures > 0)

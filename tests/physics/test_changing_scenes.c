@@ -556,9 +556,11 @@ static void run_sequence(uint32_t sequence)
     step_choose(&last);
     for (uint32_t i = 1; i <= STEPS; ++i) {
         step next;
-        const murk_earlier_plan earlier = {last.stage, last.traced,
-                                           last.plan.poses, last.plan.tested,
-                                           &last.plan.matrix};
+        const murk_earlier_plan earlier = {.stage = last.stage,
+                                           .traced = last.traced,
+                                           .poses = last.plan.poses,
+                                           .tested = last.plan.tested,
+                                           .matrix = &last.plan.matrix};
         size_t before[KEYS];
         memcpy(before, choice, sizeof before);
         change(choice, sequence, i);

@@ -59,8 +59,9 @@ static void made_up_nest(made_up_constraints *out)
 }
 
 /* Fills *out in place, whose arrays out->rules points to. */
-static void made_up_constraints_fill(made_up_constraints *out, uint32_t seed,
-                                     unsigned kinds, size_t candidates)
+static inline void made_up_constraints_fill(made_up_constraints *out,
+                                            uint32_t seed, unsigned kinds,
+                                            size_t candidates)
 {
     *out = (made_up_constraints){.kinds = kinds, .candidates = candidates};
     murk_constraints *constraints = &out->constraints;

@@ -290,6 +290,7 @@ static void test_refusals(uint32_t seed)
         {true, true, false, true, MURK_PLACE_BEST, .1, "target"},
         {true, true, false, false, MURK_PLACE_BEST, 1.5, "0..1"},
     };
+    /* Place by each of them. */
     for (size_t i = 0; i < sizeof CASES / sizeof *CASES; ++i) {
         const murk_constraints rules = {.start = start,
                                         .start_count = 4,
@@ -337,6 +338,7 @@ static void test_threads(uint32_t seed)
             CHECK(!try_place(&plan[k], m, &desc, true, &err));
             made_up_destroy(m);
         }
+        /* Compare all with the first. */
         for (size_t k = 0; k < 3; ++k) {
             CHECK(plan[k].moves == 2);
             CHECK(plan[k].value == plan[0].value &&
