@@ -160,6 +160,7 @@ static murk_status make_sights(several *l, murk_sight *sight, unsigned threads,
         if (i > 0 && murk_stage_has_nothing_to_see(a->stage[i])) {
             continue;
         }
+        /* The sight. */
         const size_t k = l->n;
         l->step[k] = i;
         l->sight[k] = sight;
@@ -167,6 +168,7 @@ static murk_status make_sights(several *l, murk_sight *sight, unsigned threads,
                         : murk_plan_sight(&l->sight[k], a->stage[i],
                                           a->traced[i], threads, err);
         l->n += !status;
+        /* The rows. */
         if (!status) {
             const bool has_rows =
                 murk_ahead_earlier(&earlier, a, i, l->plan->earlier);

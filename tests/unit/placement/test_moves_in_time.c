@@ -44,6 +44,7 @@ static void make(made_sequence *out, uint32_t seed)
         }
     }
     CHECK(n == PLANS);
+    /* The photons and clarities of each step, and the value of all plans. */
     for (uint32_t t = 0; t < STEPS; ++t) {
         made_up *m =
             made_up_create(seed + t, PHOTONS, CANDIDATES, .3, 40, 3, 1);
@@ -70,7 +71,8 @@ static size_t moves_between(uint32_t from, uint32_t to)
     return (size_t)__builtin_popcount(to & ~from);
 }
 
-/* The best sequence: for each plan of a step, the best way to it. */
+/* The best sequence: for each plan of a step, the best sequence that ends
+ * there. */
 static double best_sequence(const made_sequence *s)
 {
     double best[PLANS], next[PLANS], largest = 0;
@@ -80,9 +82,10 @@ static double best_sequence(const made_sequence *s)
             next[k] = -INFINITY;
             for (size_t i = 0; i < PLANS; ++i) {
                 const size_t moves = moves_between(s->plan[i], s->plan[k]);
-                const double way =
+                const double so_far =
                     best[i] + s->value[t][k] - s->cost * (double)moves;
-                next[k] = moves <= s->moves_max ? fmax(next[k], way) : next[k];
+                next[k] =
+                    moves <= s->moves_max ? fmax(next[k], so_far) : next[k];
             }
         }
         memcpy(best, next, sizeof best);
