@@ -137,6 +137,19 @@ static void draw_rule(rule *r, const made_up_constraints *c, uint32_t seed)
               (1 + made_up_draw(seed, 36, 0, 90));
 }
 
+/* Makes each candidate of the last half see some of what one of the first half
+ * sees. */
+static void dominate(const made_up *m, uint32_t seed)
+{
+    for (size_t j = MADE_UP_MAX / 2; j < MADE_UP_MAX; ++j) {
+        const uint16_t *from = m->clarity + (j - MADE_UP_MAX / 2) * PHOTONS;
+        uint16_t *to = m->clarity + j * PHOTONS;
+        for (uint32_t i = 0; i < PHOTONS; ++i) {
+            to[i] = made_up_draw(seed, 50 + (uint32_t)j, i, 6) ? from[i] : 0;
+        }
+    }
+}
+
 typedef struct tally {
     int plans, proven, not_best, tight, charged, moved, simple, sharper;
 } tally;
@@ -223,6 +236,9 @@ static void test_moves(uint32_t seed)
             m->problem.redundancy = 2;
         } else if (k % 11 == 5 && k % 5) {
             m->problem.combining = MURK_COMBINE_INDEPENDENT;
+        }
+        if (k % 4 < 2) {
+            dominate(m, seed + k);
         }
         made_up_constraints_fill(&c, seed + k, kinds, MADE_UP_MAX);
         draw_rule(&r, &c, seed + k);
