@@ -162,9 +162,8 @@ static murk_status place(murk_plan *plan, const making *m,
         status = trace_ahead(plan, m, err);
     }
     /* The rows of the step before; murk_ahead_choose() finds its own. */
-    if (!status && is_ahead && plan->plan.earlier &&
-        !murk_ahead_earlier(before, &plan->ahead, 0, before) &&
-        plan->ahead.n == 1) {
+    if (!status && is_ahead && plan->ahead.n == 1 && plan->plan.earlier &&
+        !murk_ahead_earlier(before, &plan->ahead, 0, before)) {
         plan->plan.earlier = NULL;
     }
     return status ? status
