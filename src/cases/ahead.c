@@ -226,6 +226,7 @@ static murk_status choose(several *l, murk_error *err)
         status = choose_free(l, desc, err);
     }
     plan->place_s = murk_clock_s() - begun_s;
+    /* Leave half of the memory for the rows of the next plan. */
     if (!status && l->tested &&
         murk_matrix_bytes(j->matrix) <= desc.row_memory / 2) {
         plan->matrix = j->matrix;
