@@ -2,15 +2,12 @@
  * at that time, with a plan that is improved from the plan of the step before,
  * as murk place --at T --start PLAN makes it. A step whose plan lies in the
  * folder already, with the same identity, is not made again. */
-#include "api/save.h"
-#include "api/scene.h"
+#include "api/follow.h"
 
 #include "base/file.h"
 #include "base/log.h"
 #include "base/number.h"
 #include "base/progress.h"
-#include "cases/sequence.h"
-#include "plan/placement_in.h"
 #include "results/follow.h"
 #include "results/plan.h"
 #include "scene/override.h"
@@ -22,25 +19,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define STEP_NAME       "steps/%04zu"
-#define START_FILE      "start.csv"
 #define START_IN_MEMORY "murk-follow-start.csv"
-
-struct murk_follow {
-    murk_scene *scene; /* a copy of the caller's */
-    char *folder;      /* NULL: none */
-    murk_save_options save;
-    char *command, *asked, *exports, *voxel_m; /* of `save` */
-    size_t steps, next, reused; /* of the timeline; done; not made again */
-    murk_sequence sequence;
-    bool has_plan;      /* the sequence has the sensors of an earlier step */
-    size_t last_reused; /* number from 1 of the last step that was not made
-                         * again, if no step was made after it; else 0 */
-    murk_plan *before;  /* the last plan that was made; NULL: none. The next one
-                         * takes over what is the same */
-    murk_session session;
-    murk_fields row, fields, saved; /* row: of the last step */
-};
 
 /* ---- making ---- */
 
@@ -105,10 +84,8 @@ static murk_status take_options(murk_follow *follow, const char *folder,
                : murk_no_memory(err, "", "for the steps");
 }
 
-/* Makes the scene at a time; `start`: the file of the plan at which the search
- * begins, or NULL. */
-static murk_status scene_at(murk_scene **out, const murk_follow *follow,
-                            double t_s, const char *start, murk_error *err)
+murk_status murk_follow_scene_at(murk_scene **out, const murk_follow *follow,
+                                 double t_s, const char *start, murk_error *err)
 {
     char text[MURK_NUMBER_SIZE];
     murk_number_print(text, t_s);
@@ -270,16 +247,6 @@ static murk_follow_results results_of(const murk_follow *follow)
 
 /* ---- the plan at which the search of a step begins ---- */
 
-/* The path of a file of a step. The caller frees it; NULL when out of memory or
- * without a folder. */
-static char *step_path(const murk_follow *follow, size_t step, const char *name)
-{
-    char part[64];
-    snprintf(part, sizeof part, STEP_NAME "%s%s", step, name ? "/" : "",
-             name ? name : "");
-    return follow->folder ? murk_path_join(follow->folder, part) : NULL;
-}
-
 /* The sensors of the sequence as the text of a table, as sensors.csv has them;
  * the caller frees it. NULL when out of memory. */
 static char *start_text(const murk_follow *follow)
@@ -319,7 +286,7 @@ static murk_status write_start(const murk_follow *follow, size_t step,
                                const char *path, const char *text,
                                murk_error *err)
 {
-    char *folder = step_path(follow, step, NULL);
+    char *folder = murk_follow_step_path(follow, step, NULL);
     murk_results results = {0};
     murk_status status =
         folder ? MURK_OK : murk_no_memory(err, "", "for the start of a step");
@@ -329,7 +296,7 @@ static murk_status write_start(const murk_follow *follow, size_t step,
     }
     status = murk_results_begin(&results, folder, follow->save.replaces, err);
     if (!status) {
-        status = murk_results_add_text(&results, START_FILE, text, err);
+        status = murk_results_add_text(&results, MURK_STEP_START, text, err);
     }
     if (!status) {
         status = murk_results_show(&results, err);
@@ -352,8 +319,9 @@ static murk_status make_start(murk_follow *follow, size_t step, char **path,
     }
     /* The name, and the text. */
     char *text = start_text(follow);
-    *path = follow->folder ? step_path(follow, step, START_FILE)
-                           : strdup(MURK_MEMORY_PREFIX START_IN_MEMORY);
+    *path = follow->folder
+                ? murk_follow_step_path(follow, step, MURK_STEP_START)
+                : strdup(MURK_MEMORY_PREFIX START_IN_MEMORY);
     if (!text || !*path) {
         free(text);
         return murk_no_memory(err, "", "for the start of a step");
@@ -372,171 +340,6 @@ static murk_status make_start(murk_follow *follow, size_t step, char **path,
 
 /* ---- a step ---- */
 
-/* A step that is made. */
-typedef struct step_work {
-    size_t number;
-    double t_s;
-    murk_world *world;
-    murk_sequence_row row;
-    char *start;     /* the file at which its search begins; NULL: none */
-    bool is_dark;    /* there is nothing to see, so no sensor has a reason to
-                      * move */
-    murk_pose *pose; /* [poses] sensors of the plan, without the fixed ones */
-    size_t poses;
-} step_work;
-
-static const cJSON *at(const cJSON *root, const char *map, const char *key)
-{
-    return cJSON_GetObjectItem(cJSON_GetObjectItem(root, map), key);
-}
-
-static double number_at(const cJSON *root, const char *map, const char *key)
-{
-    const cJSON *item = at(root, map, key);
-    return cJSON_IsNumber(item) ? item->valuedouble : NAN;
-}
-
-/* A number that is 0 where it is not listed. */
-static uint64_t count_at(const cJSON *map, const char *key)
-{
-    const cJSON *item = cJSON_GetObjectItem(map, key);
-    return cJSON_IsNumber(item) ? (uint64_t)item->valuedouble : 0;
-}
-
-/* The JSON in a file that murk has written; NULL if there is none. The caller
- * deletes it. */
-static cJSON *read_json(const murk_follow *follow, size_t step,
-                        const char *name)
-{
-    char *path = step_path(follow, step, name), *text = NULL;
-    size_t size = 0;
-    cJSON *root = NULL;
-    if (path &&
-        !murk_file_read_own(&text, &size, path, MURK_YAML_MAX_BYTES, NULL)) {
-        root = cJSON_Parse(text);
-    }
-    free(text);
-    free(path);
-    return root;
-}
-
-/* Fills the row from the main JSON of a plan. */
-static void fill_row(step_work *step, const cJSON *plan)
-{
-    murk_sequence_row *row = &step->row;
-    const murk_estimate held_out = {
-        number_at(plan, "coverage", "held_out"),
-        number_at(plan, "coverage", "held_out_standard_error")};
-    const murk_estimate in_sample = {
-        number_at(plan, "coverage", "in_sample"),
-        number_at(plan, "coverage", "in_sample_standard_error")};
-    const double rays = number_at(plan, "placement", "shadow_rays");
-    step->is_dark = !isfinite(in_sample.value);
-    row->coverage = isfinite(held_out.value) ? held_out : in_sample;
-    /* The bound, and the rule on moves. */
-    row->upper = number_at(plan, "bound", "upper");
-    const double free_upper = number_at(plan, "free", "upper");
-    row->in_sample = in_sample.value;
-    row->upper_free = isfinite(free_upper) ? free_upper : row->upper;
-    row->moves = number_at(plan, "moves", "count");
-    row->move_cost = number_at(plan, "moves", "cost");
-    const cJSON *reused = at(plan, "run", "reused");
-    row->photons_kept = count_at(reused, "photons");
-    row->pairs_kept = count_at(reused, "sightlines");
-    row->pairs_looked = rays > 0 ? (uint64_t)rays - row->pairs_kept : 0;
-    /* What ended the search, and how many sensors it placed. */
-    const char *cut = cJSON_GetStringValue(at(plan, "placement", "cut_by"));
-    snprintf(row->cut_by, sizeof row->cut_by, "%s", cut ? cut : "");
-    row->sensors =
-        (size_t)cJSON_GetArraySize(cJSON_GetObjectItem(plan, "sensors"));
-    const cJSON *seconds = at(plan, "run", "seconds");
-    row->seconds =
-        seconds ? cJSON_GetNumberValue(cJSON_GetObjectItem(seconds, "total"))
-                : NAN;
-}
-
-/* Copies the sensors of a plan, of which the fixed ones come last, and adds up
- * their costs. */
-static murk_status fill_sensors(step_work *step, const murk_pose *pose,
-                                size_t n, murk_error *err)
-{
-    const murk_scene_sensors *sensors = &step->world->desc->sensors;
-    step->poses = n > sensors->n_fixed ? n - sensors->n_fixed : 0;
-    step->pose = calloc(step->poses + 1, sizeof *step->pose);
-    if (!step->pose) {
-        return murk_no_memory(err, "", "for the sensors of a step");
-    }
-    memcpy(step->pose, pose, step->poses * sizeof *pose);
-    step->row.cost = 0;
-    for (size_t i = 0; i < n; ++i) {
-        step->row.cost += sensors->type[pose[i].type].cost;
-    }
-    return MURK_OK;
-}
-
-/* Takes the sensors from the file of a plan. */
-static murk_status read_sensors(step_work *step, const char *path,
-                                murk_error *err)
-{
-    murk_pose *pose = NULL;
-    size_t n = 0;
-    murk_status status =
-        murk_placement_read(&pose, &n, path, 0, step->world->desc,
-                            &step->world->stage->world.domain, err);
-    if (!status) {
-        status = fill_sensors(step, pose, n, err);
-    }
-    free(pose);
-    return status;
-}
-
-/* True if the light of a step lies in its folder, as its plan says, or is not
- * asked for. */
-static bool has_light(const murk_follow *follow, size_t step, const cJSON *plan)
-{
-    char *path = step_path(follow, step, MURK_MAP_FILE_NAME);
-    struct stat found;
-    const bool has = path && at(plan, "files", MURK_MAP_FILE_NAME) &&
-                     stat(path, &found) == 0;
-    free(path);
-    return has || !(follow->session.settings.exports & MURK_EXPORT_LIGHT);
-}
-
-/* Takes a step from the plan that an earlier run has left in its folder. False
- * if there is none, or if it is of another scene, version or start, or was cut
- * short. */
-static bool take_earlier(const murk_follow *follow, step_work *step)
-{
-    char *path = step_path(follow, step->number, "plan.json");
-    murk_session session = murk_world_session(step->world);
-    cJSON *plan = read_json(follow, step->number, "plan.json"),
-          *ledger = read_json(follow, step->number, "ledger.json");
-    /* It must follow from the same input, be whole, and have its light. */
-    const char *identity =
-        cJSON_GetStringValue(cJSON_GetObjectItem(plan, "identity"));
-    const char *cut = cJSON_GetStringValue(at(plan, "placement", "cut_by"));
-    const bool is_it =
-        path && identity && ledger &&
-        !murk_save_identify(&session, "place", &follow->save, NULL) &&
-        strcmp(identity, session.identity) == 0 &&
-        !(cut && strcmp(cut, "interrupt") == 0) &&
-        has_light(follow, step->number, plan) &&
-        !read_sensors(step, path, NULL);
-    if (is_it) {
-        const cJSON *all = at(plan, "look_ahead", "photons"),
-                    *traced =
-                        all ? all
-                            : cJSON_GetObjectItem(ledger, "photons_emitted");
-        fill_row(step, plan);
-        step->row.photons_traced =
-            (uint64_t)cJSON_GetNumberValue(traced) - step->row.photons_kept;
-    }
-    cJSON_Delete(ledger);
-    cJSON_Delete(plan);
-    free(path);
-    return is_it;
-}
-
 /* True for failures that are due to the scene at one time. Others end the
  * run. */
 static bool is_of_step(murk_status status)
@@ -545,7 +348,7 @@ static bool is_of_step(murk_status status)
            status == MURK_RUN_FAILED || status == MURK_UNSUPPORTED;
 }
 
-static void note_failure(step_work *step, const murk_error *why)
+static void note_failure(murk_follow_step *step, const murk_error *why)
 {
     murk_sequence_row *row = &step->row;
     row->coverage = (murk_estimate){NAN, NAN};
@@ -557,15 +360,15 @@ static void note_failure(step_work *step, const murk_error *why)
 
 /* Saves a plan, with the light if that is asked for, and takes its figures. Its
  * sensors are taken from the file, so that a run that goes on has the same. */
-static murk_status save_step(murk_follow *follow, step_work *step,
+static murk_status save_step(murk_follow *follow, murk_follow_step *step,
                              murk_plan *plan, murk_error *err)
 {
-    char *folder = step_path(follow, step->number, NULL),
-         *path = step_path(follow, step->number, "plan.json");
+    char *folder = murk_follow_step_path(follow, step->number, NULL),
+         *path = murk_follow_step_path(follow, step->number, "plan.json");
     const murk_fields *saved = NULL;
     /* start.csv belongs to the results; the light only if it is asked for. */
     plan->session.settings.own_input =
-        folder && step->start ? START_FILE : NULL;
+        folder && step->start ? MURK_STEP_START : NULL;
     plan->session.settings.leaves_out_light =
         !(follow->session.settings.exports & MURK_EXPORT_LIGHT);
     murk_status status =
@@ -574,15 +377,15 @@ static murk_status save_step(murk_follow *follow, step_work *step,
             : murk_plan_save(plan, folder, &follow->save, &saved, err);
     if (!status) {
         murk_traced *traced = plan->session.traced;
-        fill_row(step, saved->root);
+        murk_follow_fill_row(step, saved->root);
         const uint64_t photons =
             plan->plan.ahead ? plan->ahead.photons
             : traced && traced->ledger
                 ? (uint64_t)murk_tally_read(&traced->ledger->photons)
                 : step->row.photons_kept;
         step->row.photons_traced = photons - step->row.photons_kept;
-        status = path ? read_sensors(step, path, err)
-                      : fill_sensors(step, plan->plan.sensor,
+        status = path ? murk_follow_read_sensors(step, path, err)
+                      : murk_follow_fill_sensors(step, plan->plan.sensor,
                                      plan->plan.place.count, err);
     }
     free(folder);
@@ -591,9 +394,10 @@ static murk_status save_step(murk_follow *follow, step_work *step,
 }
 
 /* Warns of a plan of an earlier run in the folder of a step that has none. */
-static void warn_of_earlier(const murk_follow *follow, const step_work *step)
+static void warn_of_earlier(const murk_follow *follow,
+                            const murk_follow_step *step)
 {
-    char *path = step_path(follow, step->number, "plan.json");
+    char *path = murk_follow_step_path(follow, step->number, "plan.json");
     struct stat found;
     if (path && stat(path, &found) == 0) {
         murk_call call = murk_call_begin(follow->scene->context, NULL, NULL);
@@ -603,9 +407,7 @@ static void warn_of_earlier(const murk_follow *follow, const step_work *step)
     free(path);
 }
 
-/* Remembers the plan of a step for the next one, which takes over what is the
- * same. A dark step leaves the plan before it. */
-static void remember(murk_follow *follow, murk_plan *plan)
+void murk_follow_remember(murk_follow *follow, murk_plan *plan)
 {
     if (plan && !plan->plan.is_dark) {
         murk_plan_destroy(follow->before);
@@ -615,66 +417,9 @@ static void remember(murk_follow *follow, murk_plan *plan)
     murk_plan_destroy(plan);
 }
 
-/* The box whose cells the light of a step has noted; false if it noted none. */
-static bool read_watched(const murk_follow *follow, size_t step, murk_box *out)
-{
-    cJSON *plan = read_json(follow, step, "plan.json");
-    const cJSON *list = at(plan, "run", "watched_m");
-    double corner[6] = {0};
-    int n = 0;
-    for (; n < 6 && cJSON_IsNumber(cJSON_GetArrayItem(list, n)); ++n) {
-        corner[n] = cJSON_GetArrayItem(list, n)->valuedouble;
-    }
-    *out = (murk_box){{corner[0], corner[1], corner[2]},
-                      {corner[3], corner[4], corner[5]}};
-    const bool is_box = n == 6 && out->min.x < out->max.x &&
-                        out->min.y < out->max.y && out->min.z < out->max.z;
-    cJSON_Delete(plan);
-    return is_box;
-}
-
-/* After steps of an earlier run: makes the plan of the last of them once more,
- * without saving it, so that the next step takes over, and counts, what it
- * would have taken over without the stop. The results of the step do not depend
- * on it, so without such a plan nothing is taken over. Fails if the call is
- * cancelled or memory is short. */
-static murk_status recall_before(murk_follow *follow, murk_error *err)
-{
-    const size_t number = follow->last_reused - 1;
-    const double t_s =
-        murk_timeline_time_s(&follow->session.scene->timeline, number);
-    char *start = step_path(follow, number, START_FILE);
-    struct stat found;
-    murk_scene *scene = NULL;
-    murk_world *world = NULL;
-    murk_plan *plan = NULL;
-    murk_box watched;
-    follow->last_reused = 0;
-    /* The same scene, start and cells. */
-    const char *given = start && stat(start, &found) == 0 ? start : NULL;
-    murk_status status = start ? scene_at(&scene, follow, t_s, given, err)
-                               : murk_no_memory(err, "", "for the step before");
-    if (!status) {
-        status = murk_world_create(&world, scene, err);
-    }
-    if (!status) {
-        const bool is_known = read_watched(follow, number, &watched);
-        status = murk_plan_make_step(&plan, world, NULL,
-                                     is_known ? &watched : NULL, err);
-    }
-    if (!status) {
-        remember(follow, plan);
-    }
-    murk_world_destroy(world);
-    murk_scene_destroy(scene);
-    free(start);
-    return status == MURK_INTERRUPTED || status == MURK_NO_MEMORY ? status
-                                                                  : MURK_OK;
-}
-
 /* Makes the plan of a step, or takes that of an earlier run. A failure that is
  * due to the scene at this time is noted in the row. */
-static murk_status make_step(murk_follow *follow, step_work *step,
+static murk_status make_step(murk_follow *follow, murk_follow_step *step,
                              murk_scene *scene, murk_error *err)
 {
     murk_plan *plan = NULL;
@@ -683,14 +428,14 @@ static murk_status make_step(murk_follow *follow, step_work *step,
     murk_status status = murk_world_create_after(
         &step->world, scene, follow->before ? follow->before->world : NULL,
         &why);
-    if (!status && take_earlier(follow, step)) {
+    if (!status && murk_follow_take_earlier(follow, step)) {
         ++follow->reused;
         follow->last_reused =
             step->is_dark ? follow->last_reused : step->number + 1;
         return MURK_OK;
     }
     if (!status && follow->last_reused > 0) {
-        status = recall_before(follow, &why);
+        status = murk_follow_recall(follow, &why);
     }
     if (!status) {
         status =
@@ -705,12 +450,12 @@ static murk_status make_step(murk_follow *follow, step_work *step,
     } else {
         murk_call_pass(err, &why);
     }
-    remember(follow, plan);
+    murk_follow_remember(follow, plan);
     return status;
 }
 
 /* Lets the sensors of the plan before drift and fail until the step. */
-static murk_status advance(murk_follow *follow, const step_work *step,
+static murk_status advance(murk_follow *follow, const murk_follow_step *step,
                            murk_error *err)
 {
     if (step->number == 0) {
@@ -723,7 +468,7 @@ static murk_status advance(murk_follow *follow, const step_work *step,
 }
 
 /* Makes the step, and adds its row and what moved to the sequence. */
-static murk_status do_step(murk_follow *follow, step_work *step,
+static murk_status do_step(murk_follow *follow, murk_follow_step *step,
                            murk_error *err)
 {
     murk_scene *scene = NULL;
@@ -733,7 +478,8 @@ static murk_status do_step(murk_follow *follow, step_work *step,
         status = make_start(follow, step->number, &step->start, err);
     }
     if (!status) {
-        status = scene_at(&scene, follow, step->t_s, step->start, err);
+        status =
+            murk_follow_scene_at(&scene, follow, step->t_s, step->start, err);
     }
     if (!status) {
         status = make_step(follow, step, scene, err);
@@ -767,8 +513,9 @@ murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
     }
     /* Make the step; its row holds the figures. */
     const murk_scene_timeline *timeline = &follow->session.scene->timeline;
-    step_work step = {.number = follow->next,
-                      .t_s = murk_timeline_time_s(timeline, follow->next)};
+    murk_follow_step step = {.number = follow->next,
+                             .t_s =
+                                 murk_timeline_time_s(timeline, follow->next)};
     step.row.step = step.number;
     step.row.t_s = step.t_s;
     murk_fields_release(&follow->row);
@@ -824,7 +571,7 @@ static murk_status write_pvd(FILE *to, const void *context, murk_error *err)
                 follow->session.settings.exports & shown[k].export) {
                 fprintf(to,
                         "<DataSet timestep=\"%.17g\" part=\"%zu\" "
-                        "file=\"" STEP_NAME "/%s\"/>\n",
+                        "file=\"" MURK_STEP_NAME "/%s\"/>\n",
                         row->t_s, k, row->step, shown[k].name);
             }
         }
@@ -839,7 +586,7 @@ static murk_status write_pvd(FILE *to, const void *context, murk_error *err)
  */
 static void note_longer(const murk_follow *follow)
 {
-    char *path = step_path(follow, follow->steps, "plan.json");
+    char *path = murk_follow_step_path(follow, follow->steps, "plan.json");
     struct stat found;
     if (path && stat(path, &found) == 0) {
         murk_note(path,

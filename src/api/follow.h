@@ -1,0 +1,84 @@
+/* The steps of a timeline while they are made (follow.c), and those that an
+ * earlier run has left in the folder (follow_resume.c). */
+#ifndef MURK_API_FOLLOW_H
+#define MURK_API_FOLLOW_H
+
+#include "api/save.h"
+#include "api/scene.h"
+
+#include "cases/sequence.h"
+
+#define MURK_STEP_NAME  "steps/%04zu" /* the folder of a step, by its number */
+#define MURK_STEP_START "start.csv"
+
+struct murk_follow {
+    murk_scene *scene; /* a copy of the caller's */
+    char *folder;      /* NULL: none */
+    murk_save_options save;
+    char *command, *asked, *exports, *voxel_m; /* of `save` */
+    size_t steps, next, reused; /* of the timeline; done; not made again */
+    murk_sequence sequence;
+    bool has_plan;      /* the sequence has the sensors of an earlier step */
+    size_t last_reused; /* number from 1 of the last step that was not made
+                         * again, if no step was made after it; else 0 */
+    murk_plan *before;  /* the last plan that was made; NULL: none. The next one
+                         * takes over what is the same */
+    murk_session session;
+    murk_fields row, fields, saved; /* row: of the last step */
+};
+
+/* A step that is made. */
+typedef struct murk_follow_step {
+    size_t number;
+    double t_s;
+    murk_world *world;
+    murk_sequence_row row;
+    char *start;     /* the file at which its search begins; NULL: none */
+    bool is_dark;    /* there is nothing to see, so no sensor has a reason to
+                      * move */
+    murk_pose *pose; /* [poses] sensors of the plan, without the fixed ones */
+    size_t poses;
+} murk_follow_step;
+
+/* Makes the scene at a time; `start`: the file of the plan at which the search
+ * begins, or NULL. */
+murk_status murk_follow_scene_at(murk_scene **out, const murk_follow *follow,
+                                 double t_s, const char *start,
+                                 murk_error *err);
+
+/* Remembers the plan of a step for the next one, which takes over what is the
+ * same. A dark step leaves the plan before it. */
+void murk_follow_remember(murk_follow *follow, murk_plan *plan);
+
+/* The path of a file of a step. The caller frees it; NULL when out of memory or
+ * without a folder. */
+char *murk_follow_step_path(const murk_follow *follow, size_t step,
+                            const char *name);
+
+/* Fills the row from the main JSON of a plan. */
+void murk_follow_fill_row(murk_follow_step *step, const cJSON *plan);
+
+/* Copies the sensors of a plan, of which the fixed ones come last, and adds up
+ * their costs. */
+murk_status murk_follow_fill_sensors(murk_follow_step *step,
+                                     const murk_pose *pose, size_t n,
+                                     murk_error *err);
+
+/* Takes the sensors from the file of a plan. */
+murk_status murk_follow_read_sensors(murk_follow_step *step, const char *path,
+                                     murk_error *err);
+
+/* Takes a step from the plan that an earlier run has left in its folder. False
+ * if there is none, or if it is of another scene, version or start, or was cut
+ * short. */
+bool murk_follow_take_earlier(const murk_follow *follow,
+                              murk_follow_step *step);
+
+/* After steps of an earlier run: makes the plan of the last of them once more,
+ * without saving it, so that the next step takes over, and counts, what it
+ * would have taken over without the stop. The results of the step do not depend
+ * on it, so without such a plan nothing is taken over. Fails if the call is
+ * cancelled or memory is short. */
+murk_status murk_follow_recall(murk_follow *follow, murk_error *err);
+
+#endif
