@@ -124,6 +124,7 @@ static murk_status read_timeline(murk_follow *follow, murk_error *err)
     if (!status) {
         follow->steps = murk_timeline_steps(&desc->timeline);
         murk_sequence_init(&follow->sequence, desc->sensors.fixed_listed);
+        status = murk_follow_read_start(follow, desc, &call.failure);
     }
     follow->session =
         (murk_session){.settings.threads = follow->scene->context->threads,
@@ -226,6 +227,7 @@ void murk_follow_destroy(murk_follow *follow)
     }
     murk_plan_destroy(follow->before);
     murk_sequence_release(&follow->sequence);
+    free(follow->start);
     murk_fields_release(&follow->row);
     murk_fields_release(&follow->fields);
     murk_fields_release(&follow->saved);
@@ -247,25 +249,53 @@ static murk_follow_results results_of(const murk_follow *follow)
 
 /* ---- the plan at which the search of a step begins ---- */
 
-/* The sensors of the sequence as the text of a table, as sensors.csv has them;
- * the caller frees it. NULL when out of memory. */
-static char *start_text(const murk_follow *follow)
+/* The sensors of the scene's own start plan as they are at a step, in *out,
+ * which the caller releases. */
+static murk_status own_start(murk_sequence *out, const murk_follow *follow,
+                             size_t step, murk_error *err)
 {
-    const murk_follow_results results = results_of(follow);
-    char *text = NULL;
+    const size_t n = follow->starts;
+    murk_sequence_init(out, 0);
+    out->sensor = calloc(n + 1, sizeof *out->sensor);
+    if (!out->sensor) {
+        return murk_no_memory(err, "", "for the start of a step");
+    }
+    memcpy(out->sensor, follow->start, n * sizeof *out->sensor);
+    out->sensors = n;
+    return murk_sequence_advance(out, follow->session.scene, -INFINITY, step,
+                                 err);
+}
+
+/* The sensors at which the search of a step begins, as the text of a table:
+ * those of the sequence, or those of the scene's own start plan that are left.
+ * The caller frees *text. */
+static murk_status start_text(char **text, const murk_follow *follow,
+                              size_t step, murk_error *err)
+{
+    murk_follow_results results = results_of(follow);
+    murk_sequence own = {0};
+    murk_status status = MURK_OK;
     size_t size;
-    FILE *to = open_memstream(&text, &size);
+    *text = NULL;
+    /* The sensors, then their lines. */
+    if (follow->has_start) {
+        status = own_start(&own, follow, step, err);
+        results.sequence = &own;
+    }
+    FILE *to = status ? NULL : open_memstream(text, &size);
     if (to) {
         murk_results_csv_heading(to, murk_results_list_start);
-        for (size_t i = 0; i < follow->sequence.sensors; ++i) {
+        for (size_t i = 0; i < results.sequence->sensors; ++i) {
             murk_results_csv_line(to, murk_results_list_start, &results, i);
         }
     }
     if (to && fclose(to)) {
-        free(text);
-        text = NULL;
+        free(*text);
+        *text = NULL;
     }
-    return text;
+    murk_sequence_release(&own);
+    return status || *text ? status
+                           : murk_no_memory(err, "", "for the start of a step");
 }
 
 /* True if the file has this text. */
@@ -312,24 +342,32 @@ static murk_status write_start(const murk_follow *follow, size_t step,
 static murk_status make_start(murk_follow *follow, size_t step, char **path,
                               murk_error *err)
 {
+    const murk_scene_desc *scene = follow->session.scene;
     *path = NULL;
-    if (!follow->has_plan ||
-        follow->session.scene->placement.method == MURK_PLACE_GREEDY) {
+    if (scene->placement.method == MURK_PLACE_GREEDY ||
+        !(scene->timeline.from_start_plan ? follow->has_start
+                                          : follow->has_plan)) {
         return MURK_OK;
     }
     /* The name, and the text. */
-    char *text = start_text(follow);
+    char *text;
+    murk_call call = murk_call_begin(follow->scene->context, NULL, err);
+    const murk_status status =
+        murk_call_end(&call, start_text(&text, follow, step, &call.failure));
+    if (status) {
+        return status;
+    }
     *path = follow->folder
                 ? murk_follow_step_path(follow, step, MURK_STEP_START)
                 : strdup(MURK_MEMORY_PREFIX START_IN_MEMORY);
-    if (!text || !*path) {
+    if (!*path) {
         free(text);
         return murk_no_memory(err, "", "for the start of a step");
     }
     if (follow->folder) {
-        const murk_status status = write_start(follow, step, *path, text, err);
+        const murk_status written = write_start(follow, step, *path, text, err);
         free(text);
-        return status;
+        return written;
     }
     const size_t size = strlen(text);
     murk_memory_file file = {
@@ -386,7 +424,7 @@ static murk_status save_step(murk_follow *follow, murk_follow_step *step,
         step->row.photons_traced = photons - step->row.photons_kept;
         status = path ? murk_follow_read_sensors(step, path, err)
                       : murk_follow_fill_sensors(step, plan->plan.sensor,
-                                     plan->plan.place.count, err);
+                                                 plan->plan.place.count, err);
     }
     free(folder);
     free(path);
@@ -454,17 +492,22 @@ static murk_status make_step(murk_follow *follow, murk_follow_step *step,
     return status;
 }
 
-/* Lets the sensors of the plan before drift and fail until the step. */
+/* Lets the sensors of the plan before, or of the plan in force before the first
+ * step, drift and fail until the step. */
 static murk_status advance(murk_follow *follow, const murk_follow_step *step,
                            murk_error *err)
 {
-    if (step->number == 0) {
-        return MURK_OK;
-    }
+    const murk_scene_timeline *timeline = &follow->session.scene->timeline;
+    const double from_s =
+        step->number == 0 ? -INFINITY
+                          : murk_timeline_time_s(timeline, step->number - 1);
     murk_call call = murk_call_begin(follow->scene->context, NULL, err);
     return murk_call_end(
-        &call, murk_sequence_advance(&follow->sequence, follow->session.scene,
-                                     step->number, &call.failure));
+        &call,
+        follow->sequence.sensors == 0 && step->number == 0
+            ? MURK_OK
+            : murk_sequence_advance(&follow->sequence, follow->session.scene,
+                                    from_s, step->number, &call.failure));
 }
 
 /* Makes the step, and adds its row and what moved to the sequence. */

@@ -18,6 +18,10 @@ struct murk_follow {
     char *command, *asked, *exports, *voxel_m; /* of `save` */
     size_t steps, next, reused; /* of the timeline; done; not made again */
     murk_sequence sequence;
+    murk_sequence_sensor *start; /* [starts] sensors of the scene's own start
+                                  * plan, without the fixed ones */
+    size_t starts;
+    bool has_start;     /* each step begins at `start` */
     bool has_plan;      /* the sequence has the sensors of an earlier step */
     size_t last_reused; /* number from 1 of the last step that was not made
                          * again, if no step was made after it; else 0 */
@@ -45,6 +49,14 @@ typedef struct murk_follow_step {
 murk_status murk_follow_scene_at(murk_scene **out, const murk_follow *follow,
                                  double t_s, const char *start,
                                  murk_error *err);
+
+/* Reads the plan at which each step begins, search_from: start_plan, of the
+ * scene at the first step. Its sensors are those of the sequence before that
+ * step. Does nothing with another key or without a start plan. Fails as
+ * murk_placement_read(). */
+murk_status murk_follow_read_start(murk_follow *follow,
+                                   const murk_scene_desc *desc,
+                                   murk_error *err);
 
 /* Remembers the plan of a step for the next one, which takes over what is the
  * same. A dark step leaves the plan before it. */

@@ -26,6 +26,21 @@ static murk_status no_memory(murk_error *err)
     return murk_no_memory(err, "timeline", "for the steps");
 }
 
+murk_status murk_sequence_begin(murk_sequence *s, const murk_pose *pose,
+                                size_t n, murk_error *err)
+{
+    s->sensor = calloc(n + 1, sizeof *s->sensor);
+    if (!s->sensor) {
+        return no_memory(err);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        s->sensor[i] =
+            (murk_sequence_sensor){.number = s->next++, .pose = pose[i]};
+    }
+    s->sensors = n;
+    return MURK_OK;
+}
+
 murk_status murk_sequence_add(murk_sequence *s, const murk_sequence_row *row,
                               murk_error *err)
 {
@@ -135,12 +150,14 @@ static murk_status drift(murk_sequence *s, const murk_scene_desc *scene,
 }
 
 murk_status murk_sequence_advance(murk_sequence *s,
-                                  const murk_scene_desc *scene, size_t step,
-                                  murk_error *err)
+                                  const murk_scene_desc *scene, double from_s,
+                                  size_t step, murk_error *err)
 {
     const murk_scene_timeline *timeline = &scene->timeline;
-    const double from_s = murk_timeline_time_s(timeline, step - 1),
-                 t_s = murk_timeline_time_s(timeline, step);
+    const double first_s = murk_timeline_time_s(timeline, 0),
+                 t_s = murk_timeline_time_s(timeline, step),
+                 last_s = step > 0 ? murk_timeline_time_s(timeline, step - 1)
+                                   : -INFINITY;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < timeline->tracks && !status; ++i) {
         const murk_scene_track *track = &timeline->track[i];
@@ -151,7 +168,8 @@ murk_status murk_sequence_advance(murk_sequence *s,
         /* A sensor fails once: one that gets its number later does not. */
         const bool fails = track->fails && from_s < track->fails_at_s &&
                            track->fails_at_s <= t_s;
-        if (fails && find_sensor(s, track->sensor) == s->sensors) {
+        if (fails && find_sensor(s, track->sensor) == s->sensors &&
+            track->fails_at_s > last_s) {
             murk_warn(track->where,
                       "sensor: no sensor has the number %zu when it fails, at "
                       "%g s; sensors.count is lower by one only if it is more "
@@ -161,7 +179,8 @@ murk_status murk_sequence_advance(murk_sequence *s,
             status = murk_sequence_fail(s, step, t_s, track->sensor, err);
         }
         if (!status && track->keyframes > 0) {
-            status = drift(s, scene, track, step, from_s, t_s, err);
+            status =
+                drift(s, scene, track, step, fmax(from_s, first_s), t_s, err);
         }
     }
     return status;

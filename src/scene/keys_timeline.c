@@ -262,6 +262,8 @@ static const murk_key TIMELINE_ROWS[] = {
         TIMELINE(every_s)),
     ROW("at_s", NUMBER, SECONDS, TIMELINE(at_s),
         FLAG(murk_scene_timeline, has_at)),
+    ROW("search_from", WORD, .preset = "before",
+        WORDS({"before", 0}, {"start_plan", 1}), TIMELINE(from_start_plan)),
     ROW("tracks", LIST, .keys = &TRACK_KEYS, .preset = "[]"),
     END,
 };

@@ -525,6 +525,7 @@ typedef struct murk_scene_timeline {
     bool has_at;
     double at_s; /* the time at which the scene is read; unless has_at that of
                   * the first step */
+    bool from_start_plan; /* search_from: start_plan; false: before */
     murk_scene_track *track;
     size_t tracks;
 } murk_scene_timeline;

@@ -42,6 +42,23 @@ static void test_sensors_keep_their_numbers(void)
     murk_sequence_release(&s);
 }
 
+/* A plan in force before the first step has the first numbers; nothing of it is
+ * added by a step. */
+static void test_begins_with_a_plan(void)
+{
+    murk_sequence s;
+    murk_sequence_init(&s, 1);
+    const murk_pose start[] = {at(0, 0), at(4, 0)},
+                    first[] = {at(5, 0), at(0, 0), at(9, 1)};
+    CHECK(murk_sequence_begin(&s, start, 2, NULL) == MURK_OK);
+    CHECK(s.moves == 0 && s.sensors == 2 && s.sensor[1].number == 2);
+    take(&s, 0, first, 3, 2);
+    CHECK(s.moves == 2 && s.move[0].sensor == 2 &&
+          s.move[0].change == MURK_SENSOR_MOVED);
+    CHECK(s.move[1].sensor == 3 && s.move[1].change == MURK_SENSOR_ADDED);
+    murk_sequence_release(&s);
+}
+
 /* The nearest pair is joined first, whatever the order: 0 -> 1 and 4 -> 9, not
  * 4 -> 1. */
 static void test_nearest_pairs(void)
@@ -159,6 +176,7 @@ static void test_hindsight(void)
 int main(void)
 {
     test_hindsight();
+    test_begins_with_a_plan();
     test_sensors_keep_their_numbers();
     test_nearest_pairs();
     test_drift();
