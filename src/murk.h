@@ -1077,13 +1077,36 @@ void murk_follow_destroy(murk_follow *follow);
 murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
                              murk_error *error);
 
+/* Before the first step: divides the steps, of which murk_follow_next() then
+ * makes those of part number of count, which are neighbours, and
+ * murk_follow_save() writes the file follow.part alone. The folder of the part
+ * is put together with those of other parts by murk_follow_merge(). Fails with
+ * MURK_BAD_VALUE if there is no such part or no folder, or if steps depend on
+ * each other: timeline.search_from must be start_plan, or placement.method
+ * greedy. */
+murk_status murk_follow_shard(murk_follow *follow, uint32_t number,
+                              uint32_t count, murk_error *error);
+
+/* Before the first step: takes the folders part[parts] of parts, of which
+ * murk_follow_next() copies the steps into the folder, and makes those that are
+ * in none, so that the results are those of a single run, but for the facts of
+ * the run: `run`, times, and what was taken over from the step before. A part
+ * may be given several times. Missing parts, and steps whose files are damaged,
+ * are named in warnings. Fails with MURK_BAD_FILE if a folder has no part, and
+ * with MURK_BAD_VALUE, naming the first difference, if a part is of another
+ * scene, other files, other options, another version or number of parts, or if
+ * two parts have different results of a step. */
+murk_status murk_follow_merge(murk_follow *follow, const char *const *part,
+                              size_t parts, murk_error *error);
+
 /* *fields: those of follow.json. Fails with MURK_NO_MEMORY. */
 murk_status murk_follow_fields(murk_follow *follow, const murk_fields **fields,
                                murk_error *error);
 
 /* Writes follow.json, follow.csv, a row a step, moves.csv, a row a change of a
  * sensor, scene.resolved.yaml, and with exports that viewers show follow.pvd,
- * for the steps made so far, into the folder. Fails with MURK_BAD_VALUE,
+ * for the steps made so far, into the folder; for a part of the steps
+ * follow.part alone, and *fields is NULL. Fails with MURK_BAD_VALUE,
  * MURK_RUN_FAILED or MURK_INTERRUPTED, as described at murk_save_options. */
 murk_status murk_follow_save(murk_follow *follow, const murk_fields **fields,
                              murk_error *error);

@@ -183,6 +183,14 @@ def report_of(saved: Any, page: Path) -> Path:
         return page
 
 
+def shard_of(shard: tuple[int, int] | None) -> tuple[int, int]:
+    """The number of a part and the number of parts; (0, 0) for None. Raises Error."""
+    number, count = (0, 0) if shard is None else shard
+    if shard is not None and not (1 <= number <= count <= 100000):
+        raise Error(f"({number}, {count}), must be (K, N): part K of N, at most 100000", where="argument shard")
+    return number, count
+
+
 class Study(Fielded):
     """The rows of a study: `result` has the fields of study.json, each of which is an attribute, too.
 
@@ -201,9 +209,7 @@ class Study(Fielded):
         kept, names = c_text(folder), [c_text(key) for key in keys or {}]
         values = [c_text(yaml_of(key, value)) for key, value in (keys or {}).items()]
         folders = [c_text(part) for part in parts]
-        number, count = (0, 0) if shard is None else shard
-        if shard is not None and not (1 <= number <= count <= 100000):
-            raise Error(f"({number}, {count}), must be (K, N): part K of N, at most 100000", where="argument shard")
+        number, count = shard_of(shard)
         options = ffi.new("murk_study_options *", {"size": ffi.sizeof("murk_study_options"), "folder": kept,
                                                    "n": len(names), "shard_number": number, "shard_count": count,
                                                    "parts": len(folders)})
@@ -240,14 +246,20 @@ class Follow(Fielded):
     """
 
     def __init__(self, scene: Any, folder: Path | None, each: Callable[[Result], object] | None, exports: Sequence[str],
-                 replace: bool) -> None:
+                 replace: bool, shard: tuple[int, int] | None, parts: Sequence[Path]) -> None:
         self.context = scene.context
+        number, count = shard_of(shard)
         out, row = ffi.new("murk_follow **"), ffi.new("const murk_fields **")
         words = c_text(",".join(exports)) if exports else ffi.NULL  # lives as long as the call
         options = ffi.new("murk_save_options *", {"size": ffi.sizeof("murk_save_options"), "exports": words,
                                                   "replaces": replace})
         call_long(self.context, lib.murk_follow_create, out, handle_of(scene), c_text(folder), options)
         self.c = ffi.gc(out[0], lib.murk_follow_destroy)
+        if shard is not None:
+            call_long(self.context, lib.murk_follow_shard, self.c, number, count)
+        if parts:
+            folders = [c_text(part) for part in parts]
+            call_long(self.context, lib.murk_follow_merge, self.c, ffi.new("const char *[]", folders), len(folders))
         call_long(self.context, lib.murk_follow_next, self.c, row)
         while row[0] != ffi.NULL:
             if each:

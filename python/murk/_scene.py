@@ -281,18 +281,21 @@ class Scene:
         return self.world().place()
 
     def follow(self, folder: Path | None = None, each: Callable[[Result], object] | None = None,
-               exports: Sequence[str] = (), replace: bool = False) -> Follow:
+               exports: Sequence[str] = (), replace: bool = False, shard: tuple[int, int] | None = None,
+               parts: Sequence[Path] = ()) -> Follow:
         """Makes a plan for each step of the timeline: Follow.
 
         Each step is the scene at its time (key `timeline.at_s`), and its plan begins at that of the step before, unless
         `placement.method` is greedy. folder: keeps the files of each step, in steps/NNNN, and the tables; finished steps
         are not made again by the next call. each: a function of the fields of each step, as it is done; what it raises
-        ends the call. exports: as in `Plan.save()`, and "light". replace: as in `Plan.save()`. A step whose scene is
-        wrong at its time has the reason in its field `failed`. Raises Error if the scene has no timeline.
+        ends the call. exports: as in `Plan.save()`, and "light". replace: as in `Plan.save()`. shard: (K, N): makes part
+        K of N of the steps alone, in the folder, on any machine. parts: such folders, in any order, whose steps are taken
+        over; missing ones are made. A step whose scene is wrong at its time has the reason in its field `failed`. Raises
+        Error if the scene has no timeline, and for parts of another scene. Source: `murk follow --shard`, `murk merge`.
 
         Example: `scene.follow("out", each=lambda step: print(step.t_s, step.coverage))`.
         """
-        return Follow(self, folder, each, exports, replace)
+        return Follow(self, folder, each, exports, replace, shard, parts)
 
     def sense(self, sensors: Sensors) -> Coverage:
         """Traces the light and measures given sensors: Coverage; sensors as in `Light.sense()`. Raises Error.

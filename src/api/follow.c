@@ -122,7 +122,7 @@ static murk_status read_timeline(murk_follow *follow, murk_error *err)
                            "must be known or unknown");
     }
     if (!status) {
-        follow->steps = murk_timeline_steps(&desc->timeline);
+        follow->steps = follow->end = murk_timeline_steps(&desc->timeline);
         murk_sequence_init(&follow->sequence, desc->sensors.fixed_listed);
         status = murk_follow_read_start(follow, desc, &call.failure);
     }
@@ -227,6 +227,7 @@ void murk_follow_destroy(murk_follow *follow)
     }
     murk_plan_destroy(follow->before);
     murk_sequence_release(&follow->sequence);
+    murk_follow_release_parts(follow);
     free(follow->start);
     murk_fields_release(&follow->row);
     murk_fields_release(&follow->fields);
@@ -336,18 +337,56 @@ static murk_status write_start(const murk_follow *follow, size_t step,
     return status;
 }
 
+/* True if the search of the next step begins at sensors of an earlier plan. */
+static bool has_start(const murk_follow *follow)
+{
+    const murk_scene_desc *scene = follow->session.scene;
+    return scene->placement.method != MURK_PLACE_GREEDY &&
+           (scene->timeline.from_start_plan ? follow->has_start
+                                            : follow->has_plan);
+}
+
+murk_status murk_follow_part_start(char **start, const murk_follow *follow,
+                                   const char *part, size_t step,
+                                   murk_error *err)
+{
+    *start = NULL;
+    if (!has_start(follow)) {
+        return MURK_OK;
+    }
+    /* The file of the part must have the sensors of this run. */
+    char *text = NULL, *path = murk_follow_file(part, step, MURK_STEP_START);
+    murk_status status =
+        path ? start_text(&text, follow, step, err)
+             : murk_no_memory(err, "", "for the start of a step");
+    if (!status && !has_text(path, text)) {
+        status = murk_fail(err, MURK_BAD_VALUE, path,
+                           "has other sensors than those at which this step "
+                           "begins");
+    }
+    free(text);
+    if (status) {
+        free(path);
+        return status;
+    }
+    *start = path;
+    return MURK_OK;
+}
+
 /* Makes the file at which the search of a step begins: start.csv in the folder
- * of the step, or without a folder a file in memory. *path, which the caller
- * frees, is its name; NULL: the step has no start. */
+ * of the step, or without a folder that of the part that has the step, or a
+ * file in memory. *path, which the caller frees, is its name; NULL: the step
+ * has no start. */
 static murk_status make_start(murk_follow *follow, size_t step, char **path,
                               murk_error *err)
 {
-    const murk_scene_desc *scene = follow->session.scene;
     *path = NULL;
-    if (scene->placement.method == MURK_PLACE_GREEDY ||
-        !(scene->timeline.from_start_plan ? follow->has_start
-                                          : follow->has_plan)) {
+    if (!has_start(follow)) {
         return MURK_OK;
+    }
+    if (!follow->folder && follow->part_of && follow->part_of[step] > 0) {
+        const char *part = follow->part[follow->part_of[step] - 1];
+        return murk_follow_part_start(path, follow, part, step, err);
     }
     /* The name, and the text. */
     char *text;
@@ -462,11 +501,20 @@ static murk_status make_step(murk_follow *follow, murk_follow_step *step,
 {
     murk_plan *plan = NULL;
     murk_error why = {.size = sizeof why};
-    /* What an earlier run has made is not made again. */
+    /* What an earlier run or a part has made is not made again. */
     murk_status status = murk_world_create_after(
         &step->world, scene, follow->before ? follow->before->world : NULL,
         &why);
-    if (!status && murk_follow_take_earlier(follow, step)) {
+    bool is_taken =
+        !status && murk_follow_take_earlier(follow, follow->folder, step);
+    if (!status && !is_taken) {
+        const murk_status copied =
+            murk_follow_take_part(&is_taken, follow, step, err);
+        if (copied) {
+            return copied;
+        }
+    }
+    if (is_taken) {
         ++follow->reused;
         follow->last_reused =
             step->is_dark ? follow->last_reused : step->number + 1;
@@ -551,7 +599,7 @@ murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
         return murk_call_refuse(error, "follow or row is NULL");
     }
     *row = NULL;
-    if (follow->next == follow->steps) {
+    if (follow->next == follow->end) {
         return MURK_OK;
     }
     /* Make the step; its row holds the figures. */
@@ -685,6 +733,13 @@ murk_status murk_follow_save(murk_follow *follow, const murk_fields **fields,
     }
     murk_call call =
         murk_call_begin(follow->scene->context, &follow->scene->files, error);
+    if (follow->shard.count > 0) { /* the tables are made of all parts */
+        if (fields) {
+            *fields = NULL;
+        }
+        return murk_call_end(&call,
+                             murk_follow_part_write(follow, &call.failure));
+    }
     return murk_save_results(&call, &follow->session, &follow->saved,
                              follow->folder, &follow->save, fields, save,
                              follow);

@@ -6,6 +6,7 @@
 #include "api/save.h"
 #include "api/scene.h"
 
+#include "base/shard.h"
 #include "cases/sequence.h"
 
 #define MURK_STEP_NAME  "steps/%04zu" /* the folder of a step, by its number */
@@ -16,7 +17,14 @@ struct murk_follow {
     char *folder;      /* NULL: none */
     murk_save_options save;
     char *command, *asked, *exports, *voxel_m; /* of `save` */
-    size_t steps, next, reused; /* of the timeline; done; not made again */
+    size_t steps, next, reused; /* of the timeline; number of the next one; not
+                                 * made again */
+    size_t end;                 /* the first step that this run does not make */
+    murk_shard shard; /* of the steps; count 0: they are not divided */
+    char **part;      /* [parts] folders of parts that are put together */
+    size_t parts;
+    size_t *part_of; /* [steps] number, from 1, of the part that has the step;
+                      * 0: none has it. NULL: no parts */
     murk_sequence sequence;
     murk_sequence_sensor *start; /* [starts] sensors of the scene's own start
                                   * plan, without the fixed ones */
@@ -62,10 +70,18 @@ murk_status murk_follow_read_start(murk_follow *follow,
  * same. A dark step leaves the plan before it. */
 void murk_follow_remember(murk_follow *follow, murk_plan *plan);
 
-/* The path of a file of a step. The caller frees it; NULL when out of memory or
- * without a folder. */
+/* The path of a file of a step in a folder of results, or of its folder (name
+ * NULL). The caller frees it; NULL when out of memory or without a folder. */
+char *murk_follow_file(const char *folder, size_t step, const char *name);
+bool murk_follow_has_file(const char *folder, size_t step, const char *name);
+
+/* murk_follow_file() in the folder of this run. */
 char *murk_follow_step_path(const murk_follow *follow, size_t step,
                             const char *name);
+
+/* The JSON in a file that murk has written; NULL if there is none. The caller
+ * deletes it. */
+cJSON *murk_follow_read_json(const char *folder, size_t step, const char *name);
 
 /* Fills the row from the main JSON of a plan. */
 void murk_follow_fill_row(murk_follow_step *step, const cJSON *plan);
@@ -80,10 +96,10 @@ murk_status murk_follow_fill_sensors(murk_follow_step *step,
 murk_status murk_follow_read_sensors(murk_follow_step *step, const char *path,
                                      murk_error *err);
 
-/* Takes a step from the plan that an earlier run has left in its folder. False
- * if there is none, or if it is of another scene, version or start, or was cut
- * short. */
-bool murk_follow_take_earlier(const murk_follow *follow,
+/* Takes a step from the plan that an earlier run has left in the folder of
+ * results. False if there is none, or if it is of another scene, version or
+ * start, or was cut short. */
+bool murk_follow_take_earlier(const murk_follow *follow, const char *folder,
                               murk_follow_step *step);
 
 /* After steps of an earlier run: makes the plan of the last of them once more,
@@ -92,5 +108,28 @@ bool murk_follow_take_earlier(const murk_follow *follow,
  * on it, so without such a plan nothing is taken over. Fails if the call is
  * cancelled or memory is short. */
 murk_status murk_follow_recall(murk_follow *follow, murk_error *err);
+
+/* ---- parts (follow_parts.c) ---- */
+
+/* True if no step depends on the plan of another one. */
+bool murk_follow_is_divisible(const murk_follow *follow);
+
+/* *start: start.csv of a step in the folder of a part, NULL if the step has no
+ * start; the caller frees it. Fails with MURK_BAD_VALUE if the step of this run
+ * begins at other sensors. */
+murk_status murk_follow_part_start(char **start, const murk_follow *follow,
+                                   const char *part, size_t step,
+                                   murk_error *err);
+
+/* Writes follow.part for a shard whose steps have been made. */
+murk_status murk_follow_part_write(const murk_follow *follow, murk_error *err);
+
+/* *is_taken: whether the step was taken from the part that has it, whose files
+ * are copied into the folder of this run, if it has one. Fails as
+ * murk_results_show(). */
+murk_status murk_follow_take_part(bool *is_taken, const murk_follow *follow,
+                                  murk_follow_step *step, murk_error *err);
+
+void murk_follow_release_parts(murk_follow *follow);
 
 #endif

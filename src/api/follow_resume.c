@@ -14,13 +14,32 @@
 #include <string.h>
 #include <sys/stat.h>
 
+char *murk_follow_file(const char *folder, size_t step, const char *name)
+{
+    char part[64];
+    snprintf(part, sizeof part, MURK_STEP_NAME, step);
+    char *path = folder ? murk_path_join(folder, part) : NULL;
+    if (path && name) {
+        char *file = murk_path_join(path, name);
+        free(path);
+        path = file;
+    }
+    return path;
+}
+
+bool murk_follow_has_file(const char *folder, size_t step, const char *name)
+{
+    char *path = murk_follow_file(folder, step, name);
+    struct stat found;
+    const bool has = path && stat(path, &found) == 0;
+    free(path);
+    return has;
+}
+
 char *murk_follow_step_path(const murk_follow *follow, size_t step,
                             const char *name)
 {
-    char part[64];
-    snprintf(part, sizeof part, MURK_STEP_NAME "%s%s", step, name ? "/" : "",
-             name ? name : "");
-    return follow->folder ? murk_path_join(follow->folder, part) : NULL;
+    return murk_follow_file(follow->folder, step, name);
 }
 
 static const cJSON *at(const cJSON *root, const char *map, const char *key)
@@ -41,12 +60,9 @@ static uint64_t count_at(const cJSON *map, const char *key)
     return cJSON_IsNumber(item) ? (uint64_t)item->valuedouble : 0;
 }
 
-/* The JSON in a file that murk has written; NULL if there is none. The caller
- * deletes it. */
-static cJSON *read_json(const murk_follow *follow, size_t step,
-                        const char *name)
+cJSON *murk_follow_read_json(const char *folder, size_t step, const char *name)
 {
-    char *path = murk_follow_step_path(follow, step, name), *text = NULL;
+    char *path = murk_follow_file(folder, step, name), *text = NULL;
     size_t size = 0;
     cJSON *root = NULL;
     if (path &&
@@ -127,22 +143,21 @@ murk_status murk_follow_read_sensors(murk_follow_step *step, const char *path,
 
 /* True if the light of a step lies in its folder, as its plan says, or is not
  * asked for. */
-static bool has_light(const murk_follow *follow, size_t step, const cJSON *plan)
+static bool has_light(const murk_follow *follow, const char *folder,
+                      size_t step, const cJSON *plan)
 {
-    char *path = murk_follow_step_path(follow, step, MURK_MAP_FILE_NAME);
-    struct stat found;
-    const bool has = path && at(plan, "files", MURK_MAP_FILE_NAME) &&
-                     stat(path, &found) == 0;
-    free(path);
-    return has || !(follow->session.settings.exports & MURK_EXPORT_LIGHT);
+    return !(follow->session.settings.exports & MURK_EXPORT_LIGHT) ||
+           (at(plan, "files", MURK_MAP_FILE_NAME) &&
+            murk_follow_has_file(folder, step, MURK_MAP_FILE_NAME));
 }
 
-bool murk_follow_take_earlier(const murk_follow *follow, murk_follow_step *step)
+bool murk_follow_take_earlier(const murk_follow *follow, const char *folder,
+                              murk_follow_step *step)
 {
-    char *path = murk_follow_step_path(follow, step->number, "plan.json");
+    char *path = murk_follow_file(folder, step->number, "plan.json");
     murk_session session = murk_world_session(step->world);
-    cJSON *plan = read_json(follow, step->number, "plan.json"),
-          *ledger = read_json(follow, step->number, "ledger.json");
+    cJSON *plan = murk_follow_read_json(folder, step->number, "plan.json"),
+          *ledger = murk_follow_read_json(folder, step->number, "ledger.json");
     /* It must follow from the same input, be whole, and have its light. */
     const char *identity =
         cJSON_GetStringValue(cJSON_GetObjectItem(plan, "identity"));
@@ -152,7 +167,7 @@ bool murk_follow_take_earlier(const murk_follow *follow, murk_follow_step *step)
         !murk_save_identify(&session, "place", &follow->save, NULL) &&
         strcmp(identity, session.identity) == 0 &&
         !(cut && strcmp(cut, "interrupt") == 0) &&
-        has_light(follow, step->number, plan) &&
+        has_light(follow, folder, step->number, plan) &&
         !murk_follow_read_sensors(step, path, NULL);
     if (is_it) {
         const cJSON *all = at(plan, "look_ahead", "photons"),
@@ -172,7 +187,7 @@ bool murk_follow_take_earlier(const murk_follow *follow, murk_follow_step *step)
 /* The box whose cells the light of a step has noted; false if it noted none. */
 static bool read_watched(const murk_follow *follow, size_t step, murk_box *out)
 {
-    cJSON *plan = read_json(follow, step, "plan.json");
+    cJSON *plan = murk_follow_read_json(follow->folder, step, "plan.json");
     const cJSON *list = at(plan, "run", "watched_m");
     double corner[6] = {0};
     int n = 0;

@@ -1,10 +1,13 @@
 /* murk follow: makes the steps of a timeline one after the other, prints a row
- * for each as it is done, and writes the tables. */
+ * for each as it is done, and writes the tables; or, with --shard, makes a part
+ * of the steps alone. */
 #include "app/given.h"
+#include "app/part.h"
 #include "app/show.h"
 #include "base/print.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* A number of a row; NaN for null. */
 static double number(const murk_fields *row, const char *name)
@@ -67,6 +70,50 @@ static murk_status judge(const murk_options *options, const murk_fields *saved,
                                    (long long)failed, (long long)steps);
 }
 
+/* follow.part begins with the mark of light.murk. */
+static const murk_part_result follow_part = {"follow.part", "\x8dmurk"};
+
+/* Divides the steps, or takes the parts that are put together. */
+static murk_status divide(murk_follow *follow, const murk_options *options,
+                          murk_error *err)
+{
+    char *path = NULL; /* of follow.part, which the library writes */
+    if (options->merges) {
+        return murk_follow_merge(follow, options->merges->inputs.word,
+                                 options->merges->inputs.n, err);
+    }
+    if (!options->shard.count) {
+        return MURK_OK;
+    }
+    murk_status status = murk_follow_shard(follow, options->shard.number,
+                                           options->shard.count, err);
+    if (!status) {
+        status = murk_part_begin(&path, options, &follow_part, err);
+    }
+    free(path);
+    return status;
+}
+
+/* Writes the part, and prints how many steps it has. */
+static murk_status end_part(murk_follow *follow, const murk_options *options,
+                            murk_error *err)
+{
+    const murk_fields *fields = NULL;
+    int64_t asked = 0, done = 0, failed = 0;
+    murk_status status = murk_follow_save(follow, NULL, err);
+    if (!status) {
+        status = murk_follow_fields(follow, &fields, err);
+    }
+    if (!status && murk_shows_summary(options)) {
+        (void)murk_fields_int64(fields, "steps_asked", &asked, NULL);
+        (void)murk_fields_int64(fields, "steps_done", &done, NULL);
+        (void)murk_fields_int64(fields, "steps_failed", &failed, NULL);
+        murk_print("steps       %lld of %lld, of which %lld failed\n",
+                   (long long)done, (long long)asked, (long long)failed);
+    }
+    return status ? status : murk_part_end(options, err);
+}
+
 murk_status murk_command_follow(const murk_options *options, murk_error *err)
 {
     murk_scene *scene = NULL;
@@ -82,7 +129,14 @@ murk_status murk_command_follow(const murk_options *options, murk_error *err)
                                     err);
     }
     if (!status) {
+        status = divide(follow, options, err);
+    }
+    if (!status) {
         status = make_steps(follow, options, err);
+    }
+    if (!status && options->shard.count) {
+        status = end_part(follow, options, err);
+        goto done;
     }
     /* After a failure the steps that are done stay in the folder, and the
      * tables of an earlier, longer run stay whole. */
@@ -93,6 +147,7 @@ murk_status murk_command_follow(const murk_options *options, murk_error *err)
     if (!status) {
         status = judge(options, saved, err);
     }
+done:
     murk_follow_destroy(follow);
     murk_scene_destroy(scene);
     murk_given_save_end(&save);

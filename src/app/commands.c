@@ -140,8 +140,9 @@ const murk_command murk_commands[] = {
     {"follow", "SCENE [-o DIR]", "a scene with a timeline, step by step",
      "Makes a plan for each step of the scene's timeline. Each step is the "
      "scene at its time (--at), and the search of its plan begins at the plan "
-     "of the step before (--start), unless the method is greedy. Prints a row "
-     "a step as it is done. With -o writes DIR/follow.csv, a row a step with "
+     "of the step before (--start), unless timeline.search_from is start_plan "
+     "or the method is greedy. Prints a row a step as it is done. With -o "
+     "writes DIR/follow.csv, a row a step with "
      "coverage, its standard error and a bound, DIR/moves.csv, a row for each "
      "sensor that is added, moves, is removed or fails, DIR/steps/0000 and so "
      "on, each with the files of murk place, and, last, DIR/follow.json. Steps "
@@ -202,9 +203,10 @@ const murk_command murk_commands[] = {
      .example = {{"murk report out", "The page of what lies in out."}},
      .file = {{"report.html", "the page"}}},
     {"merge", "DIR... [-o DIR]", "put the parts of a run together",
-     "Puts parts together that --shard K/N of murk trace, study, fit or place "
-     "--repeat wrote on any machines, and writes the files of a single run, in "
-     "every bit but for the times in "
+     "Puts parts together that --shard K/N of murk trace, study, follow, fit "
+     "or place --repeat wrote on any machines, and writes the files of a "
+     "single "
+     "run, in every bit but for the times in "
      "`run`. Folders may come in any order and more than once. What is in no "
      "part is computed now, with a warning that names the missing parts. Parts "
      "of another scene, of other options or of another version of murk are "
@@ -220,6 +222,7 @@ const murk_command murk_commands[] = {
               {"light.part", "of a part of murk trace: the photons"},
               {"repeat.part", "of a part of murk place: a record a seed"},
               {"study.part", "of a part of murk study: which rows it has"},
+              {"follow.part", "of a part of murk follow: which steps it has"},
               {"starts.part", "of a part of murk fit: the searches"},
               LIGHT_FILES}},
     {"replay", "SCENE --photon N", "print every event of one emitted photon",

@@ -97,7 +97,7 @@ const murk_option murk_option_table[] = {
      "seconds, from which the same command goes on if it was killed; 0 writes "
      "none; default: 600",
      COUNT(0, 1000000), .setting = "every_s", .is_left_out = true},
-    {"--shard", NULL, "K/N", "trace place study fit",
+    {"--shard", NULL, "K/N", "trace place study follow fit",
      "do part K of N of the work, on this machine, and write the part into DIR "
      "(-o); murk merge puts the parts together to the results of a single run. "
      "Of place the parts divide the seeds of --repeat, of fit the searches",

@@ -118,28 +118,12 @@ static char *print_plan(const murk_repeat_run *run,
     return murk_print_finish(to, &text);
 }
 
-static char *print_files(const murk_scene_desc *scene)
-{
-    murk_file_sums sums = {0};
-    char *text = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
-    const bool is_whole = to && murk_file_sums_scene(to, &sums, scene);
-    murk_file_sums_release(&sums);
-    char *out = to ? murk_print_finish(to, &text) : NULL;
-    if (!is_whole) {
-        free(out);
-        out = NULL;
-    }
-    return out;
-}
-
 static murk_status make_texts(texts *out, const murk_repeat *repeat,
                               const murk_repeat_first *first, murk_error *err)
 {
     const murk_scene_desc *scene = murk_repeat_scene(first);
     *out = (texts){.scene = scene->whole_key,
-                   .files = print_files(scene),
+                   .files = murk_file_sums_print(scene),
                    .plan = print_plan(&repeat->run[0], first->plan)};
     return out->files && out->plan
                ? MURK_OK

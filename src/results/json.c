@@ -223,8 +223,7 @@ static void add_command(cJSON *object, const char *command)
     }
 }
 
-/* Replaces the 64 zeros of run.checksum by the checksum. */
-static void put_sum(char *text)
+void murk_json_put_sum(char *text)
 {
     static const char key[] = "\n    \"checksum\": \"";
     char sum[65];
@@ -288,7 +287,7 @@ char *murk_json_end(cJSON *root, const murk_run_facts *run)
     char *text = printed ? tabs_to_spaces(printed) : NULL;
     cJSON_free(printed);
     if (text) {
-        put_sum(text);
+        murk_json_put_sum(text);
     }
     return text;
 }

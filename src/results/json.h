@@ -33,6 +33,10 @@ typedef struct murk_run_facts {
  * cJSON_free(); NULL when out of memory. Deletes root in any case. */
 char *murk_json_end(cJSON *root, const murk_run_facts *run);
 
+/* Replaces the 64 digits of run.checksum in the text of a JSON by the checksum
+ * of that text. */
+void murk_json_put_sum(char *text);
+
 /* Adds "identity". Unless results is NULL or "files" is there, adds "files":
  * the files added so far with their SHA-256, except JSON files, whose `run`
  * differs from run to run. If `name` is given, the name of the main JSON

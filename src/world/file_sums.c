@@ -4,6 +4,7 @@
 #include "world/file_sums.h"
 
 #include "base/file.h"
+#include "scene/print.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -82,4 +83,20 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
         is_whole = murk_file_sums_scene(out, sums, scene->conditions[i].scene);
     }
     return is_whole;
+}
+
+char *murk_file_sums_print(const murk_scene_desc *scene)
+{
+    murk_file_sums sums = {0};
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    const bool is_whole = to && murk_file_sums_scene(to, &sums, scene);
+    murk_file_sums_release(&sums);
+    char *out = to ? murk_print_finish(to, &text) : NULL;
+    if (!is_whole) {
+        free(out);
+        out = NULL;
+    }
+    return out;
 }

@@ -38,4 +38,8 @@ bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path);
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
                           const murk_scene_desc *scene);
 
+/* The lines of murk_file_sums_scene() as a text, which the caller frees; NULL
+ * when out of memory. */
+char *murk_file_sums_print(const murk_scene_desc *scene);
+
 #endif

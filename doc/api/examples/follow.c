@@ -1,6 +1,31 @@
-/* A timeline: two plans, before and after the lamp has moved across the room.
+/* A timeline: two plans, before and after the lamp has moved across the room;
+ * then each of them as a part, as two machines would make them, and both parts
+ * put together.
  */
 #include "example.h"
+
+/* Makes the steps that are asked for, and writes the files. */
+static void finish(murk_follow *follow)
+{
+    murk_error error = MURK_ERROR_NONE;
+    const murk_fields *row = NULL;
+    must(murk_follow_next(follow, &row, &error), &error);
+    while (row) {
+        must(murk_follow_next(follow, &row, &error), &error);
+    }
+    must(murk_follow_save(follow, NULL, &error), &error);
+}
+
+/* Makes one of two parts of the steps in a folder. */
+static void make_part(murk_scene *scene, const char *folder, uint32_t number)
+{
+    murk_error error = MURK_ERROR_NONE;
+    murk_follow *follow = NULL;
+    must(murk_follow_create(&follow, scene, folder, NULL, &error), &error);
+    must(murk_follow_shard(follow, number, 2, &error), &error);
+    finish(follow);
+    murk_follow_destroy(follow);
+}
 
 int main(void)
 {
@@ -33,6 +58,20 @@ int main(void)
     printf("%d steps\n", (int)steps);
     must(murk_follow_save(follow, NULL, &error), &error);
     murk_follow_destroy(follow);
+    /* Steps that do not depend on each other, as parts. */
+    static const char *const part[] = {"part-1", "part-2"};
+    must(murk_scene_set(scene, "timeline.search_from", "start_plan", &error),
+         &error);
+    make_part(scene, part[0], 1);
+    make_part(scene, part[1], 2);
+    must(murk_follow_create(&follow, scene, "merged-steps", NULL, &error),
+         &error);
+    must(murk_follow_merge(follow, part, 2, &error), &error);
+    finish(follow);
+    must(murk_follow_fields(follow, &fields, &error), &error);
+    must(murk_fields_int64(fields, "steps_done", &steps, &error), &error);
+    printf("%d steps of two parts\n", (int)steps);
+    murk_follow_destroy(follow);
     murk_scene_destroy(scene);
     murk_context_destroy(context);
     return 0;
@@ -43,4 +82,5 @@ int main(void)
  *  0 s: 0.8
  * 10 s: 0.8
  * 2 steps
+ * 2 steps of two parts
  */
