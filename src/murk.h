@@ -1054,10 +1054,11 @@ typedef struct murk_follow murk_follow;
 /* Follows a scene through the steps of its timeline. Each step is the scene at
  * its time, as with the key timeline.at_s, and its plan begins at that of the
  * step before, as with the key placement.start_plan, unless the method is
- * greedy; so a step equals a plan of the scene with these keys in every bit.
- * folder: where murk_follow_next() saves the plan of each step, in steps/NNNN,
- * and from which it takes the steps that an earlier run of the same scene has
- * finished; NULL: nothing is saved. options: described at murk_save_options;
+ * greedy or timeline.search_from is start_plan; so a step equals a plan of the
+ * scene with these keys in every bit. folder: where murk_follow_next() saves
+ * the plan of each step, in steps/NNNN, and from which it takes the steps that
+ * an earlier run of the same scene has finished; NULL: nothing is saved.
+ * options: described at murk_save_options;
  * exports may also name `light`, without which the steps have no light.murk.
  * Folder, options and scene are copied. Fails with MURK_BAD_VALUE if the scene
  * has no timeline, if it has placement.over, or if murk_follow_save() would

@@ -286,12 +286,13 @@ class Scene:
         """Makes a plan for each step of the timeline: Follow.
 
         Each step is the scene at its time (key `timeline.at_s`), and its plan begins at that of the step before, unless
-        `placement.method` is greedy. folder: keeps the files of each step, in steps/NNNN, and the tables; finished steps
-        are not made again by the next call. each: a function of the fields of each step, as it is done; what it raises
-        ends the call. exports: as in `Plan.save()`, and "light". replace: as in `Plan.save()`. shard: (K, N): makes part
-        K of N of the steps alone, in the folder, on any machine. parts: such folders, in any order, whose steps are taken
-        over; missing ones are made. A step whose scene is wrong at its time has the reason in its field `failed`. Raises
-        Error if the scene has no timeline, and for parts of another scene. Source: `murk follow --shard`, `murk merge`.
+        `placement.method` is greedy or `timeline.search_from` is start_plan. folder: keeps the files of each step, in
+        steps/NNNN, and the tables; finished steps are not made again by the next call. each: a function of the fields of
+        each step, as it is done; what it raises ends the call. exports: as in `Plan.save()`, and "light". replace: as in
+        `Plan.save()`. shard: (K, N): makes part K of N of the steps alone, in the folder, on any machine. parts: such
+        folders, in any order, whose steps are taken over; missing ones are made. A step whose scene is wrong at its time
+        has the reason in its field `failed`. Raises Error if the scene has no timeline, and for parts of another scene.
+        Source: `murk follow --shard`, `murk merge`.
 
         Example: `scene.follow("out", each=lambda step: print(step.t_s, step.coverage))`.
         """

@@ -227,6 +227,9 @@ void murk_follow_destroy(murk_follow *follow)
     }
     murk_plan_destroy(follow->before);
     murk_sequence_release(&follow->sequence);
+    if (follow->ranks) {
+        follow->scene->context->host->ranks = follow->ranks;
+    }
     murk_follow_release_parts(follow);
     free(follow->start);
     murk_fields_release(&follow->row);
@@ -245,7 +248,7 @@ void murk_follow_destroy(murk_follow *follow)
 static murk_follow_results results_of(const murk_follow *follow)
 {
     return (murk_follow_results){follow->session.scene, &follow->sequence,
-                                 follow->steps, follow->reused};
+                                 follow->steps, follow->reused - follow->dealt};
 }
 
 /* ---- the plan at which the search of a step begins ---- */
@@ -599,6 +602,12 @@ murk_status murk_follow_next(murk_follow *follow, const murk_fields **row,
         return murk_call_refuse(error, "follow or row is NULL");
     }
     *row = NULL;
+    if (!follow->has_begun) {
+        const murk_status status = murk_follow_begin_ranks(follow, error);
+        if (status) {
+            return status;
+        }
+    }
     if (follow->next == follow->end) {
         return MURK_OK;
     }

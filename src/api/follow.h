@@ -6,6 +6,7 @@
 #include "api/save.h"
 #include "api/scene.h"
 
+#include "base/ranks.h"
 #include "base/shard.h"
 #include "cases/sequence.h"
 
@@ -25,6 +26,10 @@ struct murk_follow {
     size_t parts;
     size_t *part_of; /* [steps] number, from 1, of the part that has the step;
                       * 0: none has it. NULL: no parts */
+    bool has_begun;  /* ranks have been given their work, if any */
+    size_t dealt;    /* steps that the ranks of this run have made */
+    const murk_ranks *ranks; /* of the context, which rank 0 has left to go on
+                              * alone; NULL: it has not */
     murk_sequence sequence;
     murk_sequence_sensor *start; /* [starts] sensors of the scene's own start
                                   * plan, without the fixed ones */
@@ -131,5 +136,9 @@ murk_status murk_follow_take_part(bool *is_taken, const murk_follow *follow,
                                   murk_follow_step *step, murk_error *err);
 
 void murk_follow_release_parts(murk_follow *follow);
+
+/* Before the first step: with ranks (base/ranks.h) deals the steps out, or
+ * leaves them to rank 0. Other ranks have no steps afterwards. Collective. */
+murk_status murk_follow_begin_ranks(murk_follow *follow, murk_error *err);
 
 #endif

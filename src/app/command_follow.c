@@ -5,6 +5,7 @@
 #include "app/part.h"
 #include "app/show.h"
 #include "base/print.h"
+#include "base/ranks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -133,6 +134,9 @@ murk_status murk_command_follow(const murk_options *options, murk_error *err)
     }
     if (!status) {
         status = make_steps(follow, options, err);
+    }
+    if (!status && murk_ranks_number() > 0) {
+        goto done; /* rank 0 writes */
     }
     if (!status && options->shard.count) {
         status = end_part(follow, options, err);

@@ -152,7 +152,7 @@ const murk_command murk_commands[] = {
      "is told in the column failed, the others go on, and the command ends "
      "with 1. Fields, surfaces and photons of --export are listed in "
      "DIR/follow.pvd, which ParaView plays.",
-     murk_command_follow, .holds_worlds = true,
+     murk_command_follow, .has_ranks = true, .holds_worlds = true,
      .formats = "murk-scene murk-results",
      .example = {{"murk follow scenes/crane-hall.yaml -o out",
                   "A hall in which a crane carries its load past the plume of "

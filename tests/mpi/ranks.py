@@ -19,7 +19,7 @@ import time
 MURK, MURK_MPI, MPIRUN = sys.argv[1:4]
 sys.path.append(os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "same"))
 from repeat_shards import SMALL, scene_in  # noqa: E402
-from run_files import files  # noqa: E402
+from run_files import files, files_of_steps  # noqa: E402
 
 IS_NIGHTLY = "nightly" in sys.argv[4:]
 SIZE = 10 if IS_NIGHTLY else 1  # factor of the numbers of photons
@@ -172,6 +172,94 @@ def results_are_the_same(folder, room, study):
                                       *emit(100000), "--free", "media.fog.extinction_per_m", *one], ONE)
     same(folder, "fit of a place", ["fit", "scenes/calibrate-fog.yaml", "--data", "scenes/calibrate/fog.csv",
                                     *emit(3000), "--free", "lights.0.origin_m.1", *one], ONE)
+
+
+# Steps of which one fails, and of which one is dark.
+TIMELINE = """\
+timeline:
+  from_s: 0
+  to_s: 80
+  every_s: 10
+  tracks:
+    - {key: geometry.1.rect.corner_m, keyframes: [{t_s: 0, value: [3, 0.1, 0.1]}, {t_s: 80, value: [2, 0.1, 0.1]}]}
+    - {key: lights.0.power_w, between: hold, keyframes: [{t_s: 0, value: [6, 2]}, {t_s: 40, value: [0, 0]}]}
+    - {key: lights.1.power_w, between: hold, keyframes: [{t_s: 0, value: [0, 2]}, {t_s: 50, value: [0, 0]},
+                                                         {t_s: 60, value: [0, 2]}]}
+    - {key: media.fog.albedo, between: hold, keyframes: [{t_s: 0, value: 0.9}, {t_s: 70, value: 3}, {t_s: 80, value: 0.9}]}
+    - {sensor: 1, fails_at_s: 60}
+"""
+START = "type,x_m,y_m,z_m\nnode,0.5,0.5,0.5\nnode,5.5,3.5,2.5\nnode,2.5,1.5,0.5\n"
+
+
+def write_timeline(folder):
+    """A scene with a timeline, and a plan to start from."""
+    scene, start = os.path.join(folder, "steps.yaml"), os.path.join(folder, "start.csv")
+    with open(scene, "w", encoding="utf-8") as file:
+        file.write(ROOM[:ROOM.index("conditions:")] + ROOM[ROOM.index("cameras:"):] + TIMELINE)
+    with open(start, "w", encoding="utf-8") as file:
+        file.write(START)
+    return scene, start
+
+
+def steps_are_the_same(folder):
+    """murk follow: steps that are dealt to ranks, and steps that rank 0 makes alone. All runs write to the same folder,
+    whose path is in the scenes of steps."""
+    scene, start = write_timeline(folder)
+    out, whole = os.path.join(folder, "follow"), os.path.join(folder, "follow-plain")
+    emit = ["--emit", str(1500 * SIZE)]
+    own = ["--set", "timeline.search_from=start_plan"]
+    for name, words, splits in (("with a start", [*own, "--start", start], [(2, 1), (3, 1)]),
+                                ("greedy", ["--set", "placement.method=greedy", "--export", "light"], [(3, 2)]),
+                                ("one after the other", [], [(2, 1)])):
+        words = ["follow", scene, *emit, *words, "-o", out]
+        done([MURK, *words, "-j", "2"], 1)
+        shutil.rmtree(whole, ignore_errors=True)
+        os.rename(out, whole)
+        kept = files_of_steps(whole)
+        check(sum(path.endswith("plan.json") for path in kept) == 8, name, sorted(kept))
+        for ranks, threads in splits:
+            ran = done(command(ranks, *words, "-j", str(threads)), 1)
+            got = files_of_steps(out)
+            differ = sorted(path for path in {**kept, **got} if kept.get(path) != got.get(path))
+            check(not differ, f"follow {name}, {ranks} ranks: these differ: {differ}")
+            check("1 of 9 steps failed" in ran.stderr, name, ran.stderr)
+            check(("rank 0 makes the steps alone" in ran.stderr) == (name == "one after the other"), name, ran.stderr)
+            if (ranks, threads) != splits[-1]:
+                shutil.rmtree(out)
+        if name == "with a start":
+            goes_on_after_a_kill(out, words, kept)
+        shutil.rmtree(out)
+    # Ranks that see another file at the path of the start.
+    words = [MPIRUN, "-q"]
+    for k in (1, 2):
+        at = os.path.join(folder, f"start-{k}")
+        os.mkdir(at)
+        with open(os.path.join(at, "start.csv"), "w", encoding="utf-8") as file:
+            file.write(START.replace("2.5,1.5,0.5", f"2.5,1.5,{k}.5"))
+        words += ["-n", "1", "--wdir", at, MURK_MPI, "follow", scene, *own, "--start", "start.csv", "-o", out, ":"]
+    ran = run(words[:-1])
+    check_ended("other starts", out, ran.returncode, ran.stderr)
+    check("rank 1 has another file that the scene names than rank 0" in ran.stderr, ran.stderr)
+
+
+def goes_on_after_a_kill(out, words, kept):
+    """A rank is killed when the first step is there; the steps that are done stay, and the same command goes on."""
+    shutil.rmtree(out)
+    with tempfile.TemporaryFile() as told:
+        process = subprocess.Popen(command(3, *words, "-j", "1"), cwd=TOP, env=ENVIRONMENT, stdout=told, stderr=told)
+        end = time.time() + RUN_S / 4
+        while not glob.glob(os.path.join(out, "steps/*/plan.json")) and process.poll() is None and time.time() < end:
+            time.sleep(0.005)
+        rank = dict(processes(out)).get(1)
+        if rank:
+            os.kill(rank, signal.SIGKILL)
+        code = process.wait(timeout=RUN_S)
+        check_ended("follow, rank 1 killed", out, code, os.pread(told.fileno(), 1 << 20, 0).decode())
+    check(not rank or not os.path.exists(os.path.join(out, "follow.json")), "tables of a run that was killed")
+    done(command(2, *words, "-j", "1"), 1)
+    got = files_of_steps(out)
+    differ = sorted(path for path in {**kept, **got} if kept.get(path) != got.get(path))
+    check(not differ, "follow after a kill: these differ:", differ)
 
 
 def another_seed_differs(folder, room):
@@ -385,7 +473,8 @@ def main():
         for path, text in ((room, ROOM), (study, STUDY)):
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
-        for part in (lambda: results_are_the_same(folder, room, study), lambda: another_seed_differs(folder, room),
+        for part in (lambda: results_are_the_same(folder, room, study), lambda: steps_are_the_same(folder),
+                     lambda: another_seed_differs(folder, room),
                      lambda: refused(folder, room), lambda: mixed(folder, room), lambda: full_disk(folder, room),
                      lambda: dying_ranks(folder, room), lambda: killed_while_files_are_written(folder, room),
                      lambda: resumed(folder, room)):

@@ -6,6 +6,7 @@ other, are refused in one line, and nothing is written then.
     shards_follow.py MURK
 """
 import csv
+import hashlib
 import io
 import json
 import os
@@ -47,8 +48,6 @@ sensors:
   count: 4
 """
 START = "type,x_m,y_m,z_m\nnode,1,1,1\nnode,7,5,2.5\nnode,4,1,2.5\nnode,1,5,1\n"
-# Facts of the run, which depend on the step that was made before by the same machine.
-OF_RUN = ("photons_traced", "photons_kept", "pairs_looked", "pairs_kept", "seconds")
 failures = 0
 
 
@@ -69,27 +68,9 @@ def read(path):
         return file.read()
 
 
-def files(folder):
-    """All files, without the facts of the run."""
-    found = run_files.files(folder)
-    for path, data in found.items():
-        if path == "follow.csv":
-            rows = [{key: value for key, value in row.items() if key not in OF_RUN}
-                    for row in csv.DictReader(io.StringIO(data.decode()))]
-            found[path] = json.dumps(rows).encode()
-        elif path == "follow.json":
-            fields = json.loads(data)
-            fields["files"].pop("follow.csv")
-            for step in fields["steps"]:
-                for key in OF_RUN:
-                    step.pop(key)
-            found[path] = json.dumps(fields).encode()
-    return found
-
-
 def same(a, b, what):
     """Both folders were written to the path `out`, since scene.resolved.yaml of a step names the path of its start."""
-    ours, theirs = files(a), files(b)
+    ours, theirs = run_files.files_of_steps(a), run_files.files_of_steps(b)
     differ = sorted(path for path in {**ours, **theirs} if ours.get(path) != theirs.get(path))
     check(not differ, what, "these differ:", differ)
 
@@ -247,7 +228,6 @@ def others_are_refused():
 
 def seal(step, old, new):
     """Puts the checksum of the new bytes into plan.json, and the checksum of plan.json into itself."""
-    import hashlib
     path = os.path.join(step, "plan.json")
     text = read(path).replace(hashlib.sha256(old).hexdigest(), hashlib.sha256(new).hexdigest())
     head = text[:text.index('\n  "run": {')]
