@@ -246,7 +246,7 @@ def goes_on_after_a_kill(out, words, kept):
     """A rank is killed when the first step is there; the steps that are done stay, and the same command goes on."""
     shutil.rmtree(out)
     with tempfile.TemporaryFile() as told:
-        process = subprocess.Popen(command(3, *words, "-j", "1"), cwd=TOP, env=ENVIRONMENT, stdout=told, stderr=told)
+        process = subprocess.Popen(command(3, *words, "-j", "1", "-q"), cwd=TOP, env=ENVIRONMENT, stdout=told, stderr=told)
         end = time.time() + RUN_S / 4
         while not glob.glob(os.path.join(out, "steps/*/plan.json")) and process.poll() is None and time.time() < end:
             time.sleep(0.005)

@@ -18,7 +18,7 @@ import tempfile
 import run_files
 
 MURK = os.path.abspath(sys.argv[1])
-# A box that moves, a lamp that goes out, and two sensors that fail.
+# A box that moves, a lamp that gets weaker, two sensors that fail, and one that drifts.
 SCENE = """\
 murk: 1
 domain: {min_m: [0, 0, 0], max_m: [8, 6, 3]}
@@ -33,6 +33,7 @@ timeline:
     - {key: media.fog.albedo, between: hold, keyframes: [{t_s: 0, value: 0.9}, {t_s: 50, value: 0.8}]}
     - {sensor: 1, fails_at_s: 30}
     - {sensor: 0, fails_at_s: 50}
+    - {sensor: 2, keyframes: [{t_s: 0, offset_m: [0, 0, 0]}, {t_s: 60, offset_m: [0.4, 0.3, 0]}]}
 geometry:
   - {box: {min_m: [0, 0, 0], max_m: [8, 6, 3]}}
   - {name: load, box: {min_m: [-0.5, -0.5, -0.5], max_m: [0.5, 0.5, 0.5]}, translate_m: [2, 3, 1]}
