@@ -267,7 +267,7 @@ static murk_status own_start(murk_sequence *out, const murk_follow *follow,
     memcpy(out->sensor, follow->start, n * sizeof *out->sensor);
     out->sensors = n;
     return murk_sequence_advance(out, follow->session.scene, -INFINITY, step,
-                                 err);
+                                 false, err);
 }
 
 /* The sensors at which the search of a step begins, as the text of a table:
@@ -544,7 +544,8 @@ static murk_status make_step(murk_follow *follow, murk_follow_step *step,
 }
 
 /* Lets the sensors of the plan before, or of the plan in force before the first
- * step, drift and fail until the step. */
+ * step, drift and fail until the step. A part of the steps does not know which
+ * sensors there are, so the merge warns of those that are missing. */
 static murk_status advance(murk_follow *follow, const murk_follow_step *step,
                            murk_error *err)
 {
@@ -552,13 +553,14 @@ static murk_status advance(murk_follow *follow, const murk_follow_step *step,
     const double from_s =
         step->number == 0 ? -INFINITY
                           : murk_timeline_time_s(timeline, step->number - 1);
+    const bool warns = !follow->is_part && follow->shard.count == 0;
     murk_call call = murk_call_begin(follow->scene->context, NULL, err);
     return murk_call_end(
-        &call,
-        follow->sequence.sensors == 0 && step->number == 0
-            ? MURK_OK
-            : murk_sequence_advance(&follow->sequence, follow->session.scene,
-                                    from_s, step->number, &call.failure));
+        &call, follow->sequence.sensors == 0 && step->number == 0
+                   ? MURK_OK
+                   : murk_sequence_advance(&follow->sequence,
+                                           follow->session.scene, from_s,
+                                           step->number, warns, &call.failure));
 }
 
 /* Makes the step, and adds its row and what moved to the sequence. */

@@ -22,6 +22,7 @@ struct murk_follow {
                                  * made again */
     size_t end;                 /* the first step that this run does not make */
     murk_shard shard; /* of the steps; count 0: they are not divided */
+    bool is_part;     /* some of the steps are made, for a merge or rank 0 */
     char **part;      /* [parts] folders of parts that are put together */
     size_t parts;
     size_t *part_of; /* [steps] number, from 1, of the part that has the step;

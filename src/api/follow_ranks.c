@@ -39,6 +39,7 @@ static murk_status make_runs(uint64_t *made, const murk_follow *follow,
 {
     /* The same scene and folder, and steps of its own. */
     murk_follow own = *follow;
+    own.is_part = true;
     own.before = NULL;
     own.row = own.fields = own.saved = (murk_fields){0};
     murk_sequence_init(&own.sequence, 0);

@@ -207,14 +207,18 @@ murk_status murk_follow_recall(murk_follow *follow, murk_error *err)
     const size_t number = follow->last_reused - 1;
     const double t_s =
         murk_timeline_time_s(&follow->session.scene->timeline, number);
-    char *start = murk_follow_step_path(follow, number, MURK_STEP_START);
+    char *start = NULL;
     struct stat found;
     murk_scene *scene = NULL;
     murk_world *world = NULL;
     murk_plan *plan = NULL;
     murk_box watched;
     follow->last_reused = 0;
+    if (!follow->folder) { /* steps of parts: none has cells of this run */
+        return MURK_OK;
+    }
     /* The same scene, start and cells. */
+    start = murk_follow_step_path(follow, number, MURK_STEP_START);
     const char *given = start && stat(start, &found) == 0 ? start : NULL;
     murk_status status =
         start ? murk_follow_scene_at(&scene, follow, t_s, given, err)

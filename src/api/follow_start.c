@@ -25,21 +25,26 @@ murk_status murk_follow_read_start(murk_follow *follow,
                                    const murk_scene_desc *desc, murk_error *err)
 {
     murk_pose *pose = NULL;
+    bool *has_drifted = NULL;
     size_t n = 0, own = 0;
     if (!desc->timeline.from_start_plan || !desc->placement.start_plan) {
         return MURK_OK;
     }
-    murk_status status = murk_placement_read(
-        &pose, &n, desc->placement.start_plan, 0, desc, &desc->domain, err);
+    murk_status status = murk_placement_read_start(&pose, &has_drifted, &n,
+                                                   desc->placement.start_plan,
+                                                   desc, &desc->domain, err);
     /* The fixed sensors are not planned. */
     for (size_t i = 0; i < n; ++i) {
         if (!is_fixed(&desc->sensors, &pose[i])) {
+            has_drifted[own] = has_drifted[i];
             pose[own++] = pose[i];
         }
     }
     if (!status) {
-        status = murk_sequence_begin(&follow->sequence, pose, own, err);
+        status =
+            murk_sequence_begin(&follow->sequence, pose, has_drifted, own, err);
     }
+    free(has_drifted);
     free(pose);
     follow->start = status ? NULL : calloc(own + 1, sizeof *follow->start);
     if (!status && !follow->start) {

@@ -72,6 +72,9 @@ murk_status murk_ahead_trace(murk_ahead *a, bool notes_paths,
                              murk_error *err)
 {
     murk_status status = MURK_OK;
+    for (size_t i = 0; i < a->n; ++i) {
+        a->same[i] = SIZE_MAX; /* nothing is taken over yet */
+    }
     for (size_t i = 0; i < a->n && !status; ++i) {
         uint64_t reused = 0;
         a->same[i] = find_same(a, i);

@@ -27,7 +27,8 @@ static murk_status no_memory(murk_error *err)
 }
 
 murk_status murk_sequence_begin(murk_sequence *s, const murk_pose *pose,
-                                size_t n, murk_error *err)
+                                const bool *has_drifted, size_t n,
+                                murk_error *err)
 {
     s->sensor = calloc(n + 1, sizeof *s->sensor);
     if (!s->sensor) {
@@ -35,7 +36,7 @@ murk_status murk_sequence_begin(murk_sequence *s, const murk_pose *pose,
     }
     for (size_t i = 0; i < n; ++i) {
         s->sensor[i] =
-            (murk_sequence_sensor){.number = s->next++, .pose = pose[i]};
+            (murk_sequence_sensor){s->next++, pose[i], has_drifted[i]};
     }
     s->sensors = n;
     return MURK_OK;
@@ -151,13 +152,11 @@ static murk_status drift(murk_sequence *s, const murk_scene_desc *scene,
 
 murk_status murk_sequence_advance(murk_sequence *s,
                                   const murk_scene_desc *scene, double from_s,
-                                  size_t step, murk_error *err)
+                                  size_t step, bool warns, murk_error *err)
 {
     const murk_scene_timeline *timeline = &scene->timeline;
     const double first_s = murk_timeline_time_s(timeline, 0),
-                 t_s = murk_timeline_time_s(timeline, step),
-                 last_s = step > 0 ? murk_timeline_time_s(timeline, step - 1)
-                                   : -INFINITY;
+                 t_s = murk_timeline_time_s(timeline, step);
     murk_status status = MURK_OK;
     for (size_t i = 0; i < timeline->tracks && !status; ++i) {
         const murk_scene_track *track = &timeline->track[i];
@@ -168,8 +167,7 @@ murk_status murk_sequence_advance(murk_sequence *s,
         /* A sensor fails once: one that gets its number later does not. */
         const bool fails = track->fails && from_s < track->fails_at_s &&
                            track->fails_at_s <= t_s;
-        if (fails && find_sensor(s, track->sensor) == s->sensors &&
-            track->fails_at_s > last_s) {
+        if (fails && warns && find_sensor(s, track->sensor) == s->sensors) {
             murk_warn(track->where,
                       "sensor: no sensor has the number %zu when it fails, at "
                       "%g s; sensors.count is lower by one only if it is more "

@@ -85,10 +85,12 @@ murk_sequence_hindsight murk_sequence_sum_up(const murk_sequence *sequence);
 void murk_sequence_init(murk_sequence *out, uint64_t first);
 void murk_sequence_release(murk_sequence *sequence);
 
-/* Begins with the sensors of a plan that is in force before the first step;
- * none of them is added by a step. Fails with MURK_NO_MEMORY. */
+/* Begins with the sensors pose[n] of a plan that is in force before the first
+ * step, of which some have drifted; none of them is added by a step. Fails with
+ * MURK_NO_MEMORY. */
 murk_status murk_sequence_begin(murk_sequence *sequence, const murk_pose *pose,
-                                size_t n, murk_error *err);
+                                const bool *has_drifted, size_t n,
+                                murk_error *err);
 
 /* Appends a row. Fails with MURK_NO_MEMORY. */
 murk_status murk_sequence_add(murk_sequence *sequence,
@@ -107,11 +109,11 @@ murk_status murk_sequence_drift(murk_sequence *sequence, size_t step,
 
 /* Lets the sensors fail as the tracks of the timeline say after the time from_s
  * and until the step, and drift in the same time, as far as it belongs to the
- * timeline. A warning tells of a sensor that fails at the step but does not
- * exist. Fails with MURK_NO_MEMORY. */
+ * timeline. warns: a warning tells of a sensor that fails at the step but does
+ * not exist. Fails with MURK_NO_MEMORY. */
 murk_status murk_sequence_advance(murk_sequence *sequence,
                                   const murk_scene_desc *scene, double from_s,
-                                  size_t step, murk_error *err);
+                                  size_t step, bool warns, murk_error *err);
 
 /* Makes pose[n] the sensors of the step. A sensor at the pose of one of the
  * plan before, but for rounding, is this sensor. Of the others, the pair of

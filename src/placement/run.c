@@ -161,14 +161,16 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
     }
     /* Each count builds on the plan of the count before. */
     murk_curve_point point = {0};
+    bool has_last = false; /* the plan of k - 1 sensors */
     for (size_t k = run->first; k <= run->last && !murk_interrupted(); ++k) {
         if (is_gap(run, k)) {
             run->is_open = true; /* no bound excludes this number */
+            has_last = false;
             continue;
         }
         result->started_from = 0;
         const murk_status status =
-            find(context, k, k > run->first ? last_plan : NULL, &point, err);
+            find(context, k, has_last ? last_plan : NULL, &point, err);
         if (status) {
             return status;
         }
@@ -179,6 +181,7 @@ static murk_status find_all(murk_place_run *run, murk_find_count find,
             update_fewest(run, k, point.upper);
         }
         memcpy(last_plan, run->plan, run->size * sizeof *last_plan);
+        has_last = true;
         if (target && point.value >= target) {
             break;
         }
@@ -231,7 +234,7 @@ uint64_t murk_place_run_nodes_left(const murk_place_run *run,
 void murk_place_run_join_bounds(murk_place_run *run)
 {
     murk_curve_point *curve = run->result.curve;
-    if (!curve ||
+    if (!curve || run->result.curve_points == 0 ||
         (run->set && (run->set->has_conflicts || murk_has_moves(run->set)))) {
         return;
     }

@@ -161,6 +161,10 @@ def missing_and_damaged():
     check(run_files.files(parts[0]) == before, "a merge without -o writes")
     steps, rows = json.loads(ran.stdout)["steps"], list(csv.DictReader(io.StringIO(read("whole-best/follow.csv"))))
     check([(s["coverage"], s["moved"]) for s in steps] == [(float(r["coverage"]), int(r["moved"])) for r in rows], steps)
+    # Also if a step is made that follows one of a part.
+    ran = murk("merge", parts[0], parts[2], "--format", "json")
+    check(json.loads(ran.stdout)["steps"] is not None and
+          [s["coverage"] for s in json.loads(ran.stdout)["steps"]] == [float(r["coverage"]) for r in rows], ran.stderr)
 
 
 def failing_steps():

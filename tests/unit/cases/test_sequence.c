@@ -50,7 +50,9 @@ static void test_begins_with_a_plan(void)
     murk_sequence_init(&s, 1);
     const murk_pose start[] = {at(0, 0), at(4, 0)},
                     first[] = {at(5, 0), at(0, 0), at(9, 1)};
-    CHECK(murk_sequence_begin(&s, start, 2, NULL) == MURK_OK);
+    const bool has_drifted[] = {false, true};
+    CHECK(murk_sequence_begin(&s, start, has_drifted, 2, NULL) == MURK_OK);
+    CHECK(!s.sensor[0].has_drifted && s.sensor[1].has_drifted);
     CHECK(s.moves == 0 && s.sensors == 2 && s.sensor[1].number == 2);
     take(&s, 0, first, 3, 2);
     CHECK(s.moves == 2 && s.move[0].sensor == 2 &&
