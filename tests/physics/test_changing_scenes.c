@@ -225,8 +225,9 @@ static bool same_maps(const murk_photon_map *a, const murk_photon_map *b)
 {
     const size_t n = murk_photon_map_count(a);
     return n == murk_photon_map_count(b) &&
-           memcmp(murk_photon_map_photons(a), murk_photon_map_photons(b),
-                  n * sizeof(murk_photon)) == 0;
+           (n == 0 ||
+            memcmp(murk_photon_map_photons(a), murk_photon_map_photons(b),
+                   n * sizeof(murk_photon)) == 0);
 }
 
 static bool same_sums(const murk_traced *a, const murk_traced *b)
