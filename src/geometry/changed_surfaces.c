@@ -152,10 +152,11 @@ static murk_status compare_between(murk_box_list *changed, const comparison *c,
                                    murk_error *err)
 {
     const size_t n = end_a - begin, m = end_b - begin;
-    face *p = malloc((n + m + 1) * sizeof *p), *q = p + n;
+    face *p = malloc((n + m + 1) * sizeof *p);
     if (!p) {
         return murk_no_memory(err, "", "to compare %zu surfaces", n + m);
     }
+    face *q = p + n;
     for (size_t i = 0; i < n; ++i) {
         p[i] = face_of(c, &c->a->soup, begin + i);
     }
