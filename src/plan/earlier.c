@@ -526,7 +526,7 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     const murk_status status = murk_changed_world(
         &rows.changes.changed, earlier->stage, stage, what, err);
     if (status || rows.changes.changed.are_all) {
-        return status;
+        return status == MURK_NO_MEMORY ? MURK_OK : status;
     }
     const bool has_memory = find_photons(&rows, earlier, sight) &&
                             find_candidates(&rows, earlier->poses, poses);
@@ -536,7 +536,7 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     }
     if (!has_memory || rows.arena.is_short) {
         murk_arena_release(&rows.arena);
-        return murk_no_memory(err, "", "for the rows of the step before");
+        return MURK_OK;
     }
     *out = rows;
     out->known = (murk_known_rows){get_known, out, rows.hash, get_differences};

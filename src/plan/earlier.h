@@ -66,9 +66,10 @@ typedef struct murk_earlier_rows {
  * `poses`. *out holds none, and
  * is all 0, if nothing can be taken over: targets instead of photons, a sight
  * that knows no rows (murk_sight_may_know()), other settings of sensors or of
- * the domain, or a world that has changed everywhere. The caller releases *out
- * before the sight, which the rows are for, and before `earlier`. Fails with
- * MURK_NO_MEMORY. */
+ * the domain, a world that has changed everywhere, or too little memory: some
+ * 20 bytes a photon and thread. A run without earlier rows needs less, so lack
+ * of memory is no failure here. The caller releases *out before the sight,
+ * which the rows are for, and before `earlier`. */
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
                                      const murk_poses *poses,
