@@ -273,6 +273,9 @@ murk_status murk_ahead_choose(murk_plan_result *plan, murk_sight *sight,
             murk_scenarios_create_from(&l->scenarios, scene, l->sight, share,
                                        l->n, plan->poses, &rows, err);
     }
+    for (size_t k = 0; k < l->n && !status; ++k) {
+        murk_sight_problem_know(&l->scenarios->part[k], NULL);
+    }
     murk_plan_forget_earlier(plan);
     /* Place. */
     if (!status) {

@@ -76,8 +76,8 @@ static bool get_part(void *context, unsigned worker, size_t candidate,
 
 static void list_counters(void *context, murk_counters *list)
 {
-    /* Each part has four counters (sensing/sight_create.c). */
-    _Static_assert(4 * MURK_BLOCKS_MAX <= MURK_COUNTERS_MAX, "a longer list");
+    _Static_assert(MURK_SIGHT_COUNTERS * MURK_BLOCKS_MAX <= MURK_COUNTERS_MAX,
+                   "a longer list");
     const murk_scenarios *j = context;
     for (size_t c = 0; c < j->blocks.n; ++c) {
         const murk_problem *part = &j->part[c].problem;

@@ -411,6 +411,9 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
                       ? murk_plan_note_sightlines(plan->poses->count)
                       : NULL;
     const uint64_t taken = murk_plan_memory_taken(rows.matrix, desc.row_memory);
+    if (!rows.matrix) {
+        murk_plan_forget_earlier(plan);
+    }
     const size_t at_least = murk_plan_at_least(stage->scene);
     murk_at_least strict;
     murk_sight_problem_know(&seen, rows.known.get ? &rows.known : NULL);
@@ -420,6 +423,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
         status =
             murk_matrix_create(&matrix, problem, desc.row_memory - taken, err);
     }
+    murk_sight_problem_know(&seen, NULL);
     murk_earlier_rows_release(&rows);
     murk_plan_forget_earlier(plan);
     plan->sense_s = murk_clock_s() - begun_s;

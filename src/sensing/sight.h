@@ -272,6 +272,7 @@ size_t murk_sight_power_few(const murk_sight *sight);
  * refraction the photons without a path across one flat boundary. Totally
  * reflected ones are counted separately. `reused` of the shadow rays were not
  * tested, because a row was known (murk_sight_row_again()). */
+#define MURK_SIGHT_COUNTERS 5
 typedef struct murk_sight_work {
     uint64_t queries, shadow_rays, blocked_by_interfaces, totally_reflected,
         reused;

@@ -329,10 +329,10 @@ static void list_counters(void *context, murk_counters *list)
 {
     const murk_sight_problem *p = context;
     murk_sight *sight = p->sight;
-    murk_tally *const counter[] = {&sight->queries, &sight->shadow_rays,
-                                   &sight->blocked_by_interfaces,
-                                   &sight->totally_reflected, &sight->reused};
-    for (size_t i = 0; i < sizeof counter / sizeof *counter; ++i) {
+    murk_tally *const counter[MURK_SIGHT_COUNTERS] = {
+        &sight->queries, &sight->shadow_rays, &sight->blocked_by_interfaces,
+        &sight->totally_reflected, &sight->reused};
+    for (size_t i = 0; i < MURK_SIGHT_COUNTERS; ++i) {
         list->counter[list->n++] = counter[i];
     }
 }
