@@ -387,6 +387,7 @@ static murk_status send_scene(murk_subprocess *subprocess,
      * traversal each, the arrays. */
     visit(t, scene->mRootNode, &place);
     t->head.materials = scene->mNumMaterials;
+    t->head.names_others = source->names_others;
     murk_status status = check_counts(t, err);
     if (!status) {
         status = send(t, &t->head, sizeof t->head);

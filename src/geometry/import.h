@@ -13,7 +13,8 @@
 
 typedef struct murk_import_head {
     uint64_t vertices, triangles, materials;
-    murk_vec3 origin_m; /* origin of the vertices */
+    murk_vec3 origin_m;    /* origin of the vertices */
+    uint64_t names_others; /* 1: the file names other files, else 0 */
 } murk_import_head;
 
 typedef struct murk_import_request {

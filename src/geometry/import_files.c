@@ -163,7 +163,9 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path,
     (void)mode;
     murk_import_source *own = (void *)io->UserData;
     /* A rewritten mesh is served from memory, any other file from the disk. */
-    const bool is_own = own->bytes && strcmp(path, own->path) == 0;
+    const bool is_mesh = strcmp(path, own->path) == 0;
+    const bool is_own = own->bytes && is_mesh;
+    own->names_others = own->names_others || !is_mesh;
     source *from = calloc(1, sizeof *from);
     if (!from) {
         return NULL;

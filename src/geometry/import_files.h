@@ -8,6 +8,7 @@
 #include <assimp/cfileio.h>
 
 #include <limits.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Paths after resolution of links. A path that cannot be resolved is empty
@@ -25,8 +26,10 @@ typedef struct murk_import_source {
     const char *path;
     char *bytes; /* NULL: read from the disk */
     size_t size;
-    double shift[3]; /* subtracted from the vertices, in the file's units and
-                      * axes */
+    bool
+        names_others; /* another file was asked for, whether or not it exists */
+    double shift[3];  /* subtracted from the vertices, in the file's units and
+                       * axes */
     murk_import_access access;
 } murk_import_source;
 

@@ -11,6 +11,7 @@
 #include "base/status.h"
 #include "base/vector.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -29,6 +30,8 @@ typedef struct murk_mesh {
     size_t degenerate; /* number of triangles without area; they are removed */
     murk_box bounds_m; /* of the corners of all triangles, with origin_m
                         * added */
+    bool names_others; /* the file names other files, such as materials or
+                        * buffers, so the mesh may change without the file */
     unsigned further_owners; /* murk_mesh_share() */
 } murk_mesh;
 

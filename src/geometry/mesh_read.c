@@ -169,6 +169,7 @@ static murk_status unpack(murk_mesh *mesh, const unsigned char *bytes,
     }
     take(mesh->material_name, mesh->materials * MURK_NAME_SIZE, &bytes);
     mesh->origin_m = head.origin_m;
+    mesh->names_others = head.names_others != 0;
     if (!is_sound(mesh) || !murk_is_finite(mesh->origin_m)) {
         return murk_fail(err, MURK_BAD_FILE, where,
                          "%s: coordinates or indices out of range", path);

@@ -107,27 +107,20 @@ static bool is_same_text(const char *a, const char *b)
     return a == b || (a && b && strcmp(a, b) == 0);
 }
 
-/* True if the geometry of a mesh lies in the file alone: of other formats, such
- * as glTF, it may lie in files that the file names. */
-static bool is_whole(const char *path)
-{
-    const char *end = strrchr(path, '.');
-    return end && (strcmp(end, ".obj") == 0 || strcmp(end, ".ply") == 0 ||
-                   strcmp(end, ".stl") == 0);
-}
-
 /* The mesh of `earlier`, NULL: none, that was imported from this file with this
- * checksum in the same way, as a further owner. NULL if there is none. */
+ * checksum in the same way, as a further owner. NULL if there is none, or if
+ * the mesh may have changed without the file. */
 static murk_mesh *share_mesh(const murk_stage *earlier,
                              const murk_mesh_file *file, const uint64_t sum[2])
 {
     for (size_t i = 0; earlier && i < lit_meshes(earlier->scene); ++i) {
         const murk_mesh_file f = murk_mesh_file_at(earlier->scene, i);
-        if (f.path && is_whole(f.path) && is_same_text(f.path, file->path) &&
+        if (f.path && is_same_text(f.path, file->path) &&
             memcmp(earlier->mesh_sum[i], sum, 2 * sizeof *sum) == 0 &&
             f.import.unit_m == file->import.unit_m &&
             f.import.up == file->import.up &&
-            is_same_text(f.import.allow, file->import.allow)) {
+            is_same_text(f.import.allow, file->import.allow) &&
+            !earlier->mesh[i]->names_others) {
             return murk_mesh_share(earlier->mesh[i]);
         }
     }

@@ -34,10 +34,11 @@ murk_status murk_stage_import_beside(murk_stage **out,
                                      const murk_stage *other, murk_error *err);
 
 /* As murk_stage_create(), for a scene that may have files in common with that
- * of the stage `earlier`: a mesh of geometry or regions, or a grid, is that of
- * `earlier` if its file has the same checksum and is imported in the same way.
- * The other files that a file names, such as the materials of an OBJ file, are
- * taken to be the same then. earlier may be NULL. */
+ * of the stage `earlier`: a mesh of geometry or regions is that of `earlier` if
+ * it comes from the same path, the file has the same checksum, names no other
+ * files, and is imported in the same way; a grid if its files have the same
+ * checksums and the same grids are taken from them. What the readers of shared
+ * files warned of is not told again. earlier may be NULL. */
 murk_status murk_stage_create_after(murk_stage **out,
                                     const murk_scene_desc *scene,
                                     const murk_stage *earlier, murk_error *err);

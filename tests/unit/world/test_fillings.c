@@ -191,6 +191,82 @@ static void test_equal_files_are_shared(void)
     murk_host_now()->importing = MURK_IMPORT_FORKS;
 }
 
+static void write_text(const char *name, const char *content, size_t size)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *to = fopen(path, "wb");
+    CHECK(to && fwrite(content, 1, size, to) == size);
+    CHECK(to && fclose(to) == 0);
+}
+
+/* True if the mesh of a scene is shared with the stage of the same scene, which
+ * `change`, NULL: none, alters in between. */
+static bool is_mesh_shared(const char *file, void (*change)(void))
+{
+    char scene[256];
+    murk_error err = {0};
+    snprintf(scene, sizeof scene,
+             "materials: {wall: {diffuse: 0.5}}\n"
+             "geometry: [{file: %s/%s, up: z, material: wall}]\n",
+             folder, file);
+    murk_stage *stage = stage_of(scene, NULL), *after = NULL;
+    if (change) {
+        change();
+    }
+    CHECK(stage && murk_stage_create_after(&after, stage->scene, stage, &err) ==
+                       MURK_OK);
+    const bool is_shared = after && after->mesh[0] == stage->mesh[0];
+    murk_stage_destroy(after);
+    stage_text_destroy(stage);
+    return is_shared;
+}
+
+static const char triangle[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+static void move_triangle(void)
+{
+    static const char moved[] = "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n";
+    write_text("m.obj", moved, strlen(moved));
+}
+
+/* A mesh whose file names others may change without the file: geometry of glTF
+ * lies in its buffers, and names of materials in the library of an OBJ file. */
+static void test_meshes_that_are_shared(void)
+{
+    static const char with_library[] = "mtllib m.mtl\nusemtl a\nv 0 0 0\n"
+                                       "v 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    static const char gltf[] =
+        "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0,"
+        " \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": 0}],"
+        " \"meshes\": [{\"primitives\": [{\"attributes\":"
+        " {\"POSITION\": 0}}]}],"
+        " \"buffers\": [{\"uri\": \"m.bin\", \"byteLength\": 36}],"
+        " \"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}],"
+        " \"accessors\": [{\"bufferView\": 0, \"componentType\": 5126,"
+        " \"count\": 3, \"type\": \"VEC3\"}]}";
+    static const float corner[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    murk_host_now()->importing = MURK_IMPORT_IN_PROCESS;
+    /* Files that name others, and one that does not. */
+    write_text("m.obj", triangle, strlen(triangle));
+    write_text("library.obj", with_library, strlen(with_library));
+    write_text("m.mtl", "newmtl a\n", strlen("newmtl a\n"));
+    write_text("m.gltf", gltf, strlen(gltf));
+    write_text("m.bin", (const char *)corner, sizeof corner);
+    CHECK(is_mesh_shared("m.obj", NULL));
+    CHECK(!is_mesh_shared("m.obj", move_triangle));
+    CHECK(!is_mesh_shared("library.obj", NULL));
+    CHECK(!is_mesh_shared("m.gltf", NULL));
+    murk_host_now()->importing = MURK_IMPORT_FORKS;
+    const char *const names[] = {"m.obj", "library.obj", "m.mtl", "m.gltf",
+                                 "m.bin"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
+        char path[128];
+        snprintf(path, sizeof path, "%s/%s", folder, names[i]);
+        remove(path);
+    }
+}
+
 static void refuses(const char *media, const char *override, const char *part)
 {
     /* Write a scene with these media. */
@@ -296,6 +372,7 @@ int main(void)
     test_frames_and_albedo();
     test_a_time_between_frames();
     test_equal_files_are_shared();
+    test_meshes_that_are_shared();
     test_a_missing_frame_names_those_there_are();
     test_a_profile_and_its_extent();
     for (int i = 0; i < 3; ++i) {
