@@ -125,6 +125,8 @@ static const char *const settings[][2] = {
     {"placement.redundancy=2", NULL},
     {NULL, "media.plume.interpolation=linear"},
     {cloud_of_mesh, NULL},
+    {"sensors.types.0.arrival=toward", NULL},
+    {"sensors.types.0.least_range_m=1.5", NULL},
     {"flight=delta", NULL},
     {"photons.least_weight=0.1", NULL},
     {"photons.maps=surface", NULL},
