@@ -26,19 +26,21 @@ typedef struct murk_earlier_plan {
                    * which may have those of other steps, too */
 } murk_earlier_plan;
 
-/* Scratch memory of a thread: the earlier row by slot, the new row, and the
- * entries of the earlier row in place of which sightlines were tested again. */
+/* Scratch memory of a thread. */
 typedef struct murk_earlier_scratch {
     uint32_t *slot;
-    uint16_t *slot_clarity; /* [slots] */
-    uint16_t *dense;        /* [photons] the new row, in any order, */
-    uint64_t *seen, *again; /* a bit a photon: has an entry in `dense`; was
-                             * tested again */
+    uint16_t *slot_clarity; /* [slots] the earlier row as a list */
+    uint16_t *dense;        /* [photons] the clarity of each photon in the new
+                             * row, valid where `seen` has its bit */
+    uint64_t *seen, *again; /* a bit a photon: it has an entry in the new row;
+                             * its sightline was tested again */
     uint32_t *photon;
-    uint16_t *clarity; /* [photons] the new row */
+    uint16_t *clarity; /* [photons] the new row as a list */
     uint32_t *gone_photon;
-    uint16_t *gone_clarity; /* [photons] */
-    murk_sparse_row gone, come;
+    uint16_t *gone_clarity; /* [photons] memory of `gone` */
+    murk_sparse_row gone,   /* entries of the earlier row whose sightlines were
+                             * tested again */
+        come;               /* those in their place */
 } murk_earlier_scratch;
 
 typedef struct murk_earlier_rows {
@@ -50,9 +52,10 @@ typedef struct murk_earlier_rows {
     size_t offset;       /* first photon of the earlier light in its matrix */
     uint32_t *same;      /* [photons of the new plan] number of the equal
                           * photon of the earlier plan; UINT32_MAX: none */
-    uint32_t *first;     /* [slots + 1] the photons of a slot of the earlier
-                          * matrix in */
-    uint32_t *photon;    /* [photons] this list of new photons */
+    uint32_t *first;     /* [slots + 2] the new photons of slot s of the earlier
+                          * matrix are photon[first[s]] to
+                          * photon[first[s + 1] - 1] */
+    uint32_t *photon;    /* [photons] */
     uint32_t *candidate; /* [poses of the new plan] number of the equal pose
                           * of the earlier plan; UINT32_MAX: none */
     uint64_t *hash;      /* [photons] murk_problem.earlier_hash, or NULL */
@@ -63,13 +66,13 @@ typedef struct murk_earlier_rows {
 } murk_earlier_rows;
 
 /* Prepares to take over rows of `earlier`, NULL: of none, for the candidates of
- * `poses`. *out holds none, and
- * is all 0, if nothing can be taken over: targets instead of photons, a sight
- * that knows no rows (murk_sight_may_know()), other settings of sensors or of
- * the domain, a world that has changed everywhere, or too little memory: some
- * 20 bytes a photon and thread. A run without earlier rows needs less, so lack
- * of memory is no failure here. The caller releases *out before the sight,
- * which the rows are for, and before `earlier`. */
+ * `poses`. *out is all 0, and no row is taken over, if that is not possible:
+ * targets instead of photons, a sight that knows no rows
+ * (murk_sight_may_know()), other settings of sensors or of the domain, a world
+ * that has changed everywhere, or too little memory. The rows take some 20
+ * bytes a photon and thread; a run without earlier rows needs less, so lack of
+ * memory is no failure. The caller releases *out before the sight, which the
+ * rows are for, and before `earlier`. */
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
                                      const murk_poses *poses,
