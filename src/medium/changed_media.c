@@ -14,7 +14,8 @@
 /* The cells of the grid of a medium that have changed. */
 typedef struct changed_cells {
     bool are_all;        /* the regions of the medium have changed as a whole */
-    murk_box_list cells; /* in index space where voxel i covers [i, i + 1) */
+    murk_box_list cells; /* in index space where voxel i covers [i, i + 1); of a
+                          * rectilinear grid in metres */
 } changed_cells;
 
 /* Walks through a grid begin at its box of active voxels, and round
@@ -28,8 +29,13 @@ static changed_cells compare_grids(const murk_grid *a, const murk_grid *b)
     const murk_grid_facts *p = a ? murk_grid_describe(a) : NULL,
                           *q = b ? murk_grid_describe(b) : NULL;
     out.are_all = !p || !q || !SAME(p, q, index_min) ||
-                  !SAME(p, q, index_max) || !SAME(p, q, index_to_world);
-    if (!out.are_all) {
+                  !SAME(p, q, index_max) || !SAME(p, q, index_to_world) ||
+                  p->blocks != q->blocks;
+    if (!out.are_all && p->blocks > 0) {
+        murk_rectilinear_changes(&out.cells, murk_grid_rectilinear(a),
+                                 murk_grid_rectilinear(b));
+        out.are_all = out.cells.are_all;
+    } else if (!out.are_all) {
         murk_changed_cells(&out.cells, murk_grid_tree(a), murk_grid_tree(b));
         out.are_all = out.cells.are_all;
     }
@@ -103,13 +109,15 @@ static bool has_same_boundaries(const murk_media *a, const murk_media *b)
     return has_same;
 }
 
-/* Adds the boxes of cells in the world. Interpolation reaches one voxel
- * further. */
+/* Adds the boxes of cells in the world. Interpolation between voxels reaches
+ * one voxel further; the boxes of a rectilinear grid are complete. */
 static void add_cells(murk_box_list *changed, const murk_place *place,
                       murk_box_list *cells)
 {
     murk_affine to_world;
-    murk_box_list_grow(cells, 2);
+    if (!place->field) {
+        murk_box_list_grow(cells, 2);
+    }
     if (cells->n > 0 && !murk_affine_invert(&place->to_index, &to_world)) {
         changed->are_all = true;
         return;

@@ -1,7 +1,7 @@
 /* Walk along a ray through the density of a region: the value of a grid
- * (nearest or trilinear) or the extinction of a profile. The ray is divided
- * into segments on which the density is a cubic. For use inside src/medium
- * only. */
+ * (nearest, trilinear or rectilinear) or the extinction of a profile. The ray
+ * is divided into segments on which the density is a cubic. For use inside
+ * src/medium only. */
 #ifndef MURK_MEDIUM_DENSITY_WALK_H
 #define MURK_MEDIUM_DENSITY_WALK_H
 
@@ -10,6 +10,7 @@
 #include "medium/linear.h"
 #include "medium/march.h"
 #include "medium/place.h"
+#include "medium/rectilinear.h"
 
 #include <stdbool.h>
 
@@ -21,6 +22,7 @@ typedef struct murk_density_walk {
         murk_march march;
         murk_linear linear;
         murk_layers layers;
+        murk_rectilinear_walk field;
     } in;
 } murk_density_walk;
 

@@ -1,4 +1,5 @@
-/* Reads OpenVDB grids and stores them as NanoVDB buffers.
+/* Reads OpenVDB grids and stores them as NanoVDB buffers, and stores
+ * rectilinear grids.
  *
  * The files are parsed in the process that the host chooses
  * (base/subprocess.h), mostly a subprocess. It sends a header of fixed size
@@ -9,6 +10,7 @@
 #include "medium/grid_internal.h"
 #include "medium/grid_jobs.h"
 
+#include "base/file.h"
 #include "base/inputs.h"
 #include "base/log.h"
 #include "base/memory_files.h"
@@ -39,8 +41,10 @@
 
 struct murk_grid {
     murk_grid_facts facts;
-    unsigned char *buffer; /* the NanoVDB grid; NULL if no voxel is active */
-    murk_tree tree;
+    unsigned char *buffer;   /* the NanoVDB grid, NULL if no voxel is active, or
+                              * the packed field of a rectilinear grid */
+    murk_tree tree;          /* of voxels */
+    murk_rectilinear field;  /* of a rectilinear grid, in `buffer`; n 0: none */
     unsigned further_owners; /* murk_grid_share() */
 };
 
@@ -475,6 +479,7 @@ void murk_grid_destroy(murk_grid *grid)
         --grid->further_owners;
     } else if (grid) {
         murk_tree_close(&grid->tree);
+        murk_rectilinear_close(&grid->field);
         free(grid->buffer);
         free(grid);
     }
@@ -487,12 +492,55 @@ const murk_grid_facts *murk_grid_describe(const murk_grid *grid)
 
 const void *murk_grid_nanovdb(const murk_grid *grid)
 {
-    return grid->buffer;
+    return grid->field.n ? NULL : grid->buffer;
 }
 
 const murk_tree *murk_grid_tree(const murk_grid *grid)
 {
     return &grid->tree;
+}
+
+const murk_rectilinear *murk_grid_rectilinear(const murk_grid *grid)
+{
+    return grid->field.n ? &grid->field : NULL;
+}
+
+murk_status murk_grid_from_field(murk_grid **out, const unsigned char *packed,
+                                 size_t size, const char *name,
+                                 const char *note, const char *where,
+                                 murk_error *err)
+{
+    murk_grid *grid = calloc(1, sizeof *grid);
+    if (!grid) {
+        return murk_no_memory(err, where, "for a grid");
+    }
+    murk_rectilinear *field = &grid->field;
+    murk_status status = copy_buffer(grid, packed, size, where, err);
+    if (!status) {
+        status = murk_rectilinear_open(field, grid->buffer, size, where, err);
+    }
+    if (status) {
+        murk_grid_destroy(grid);
+        return status;
+    }
+    /* Describe the field. */
+    murk_grid_facts *facts = &grid->facts;
+    snprintf(facts->name, sizeof facts->name, "%s", name);
+    snprintf(facts->note, sizeof facts->note, "%s", note);
+    facts->active = field->n_values;
+    facts->minimum = field->minimum;
+    facts->maximum = field->maximum;
+    facts->sum = field->sum;
+    facts->index_to_world = murk_affine_identity();
+    memcpy(facts->voxel_m, field->smallest, sizeof facts->voxel_m);
+    facts->blocks = field->n;
+    for (size_t i = 0; i < field->n; ++i) {
+        facts->has_nodes = facts->has_nodes || field->block[i].has_nodes;
+    }
+    facts->box = field->box;
+    murk_checksum(grid->buffer, size, facts->checksum);
+    *out = grid;
+    return MURK_OK;
 }
 
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k)

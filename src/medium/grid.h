@@ -1,4 +1,6 @@
-/* Density grids from OpenVDB files, stored as NanoVDB buffers.
+/* Density grids: voxels from OpenVDB files, stored as NanoVDB buffers, and
+ * rectilinear grids with cells of any length from simulations
+ * (medium/rectilinear.h).
  *
  * The file is parsed in a subprocess with limits (base/subprocess.h), checked
  * (float, half or double; not a level set; finite; not negative; indices within
@@ -14,6 +16,7 @@
 
 #include "base/status.h"
 #include "base/vector.h"
+#include "fds/extinction.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -32,6 +35,13 @@ typedef struct murk_grid_facts {
     double voxel_m[3]; /* edge lengths before the scene moves the grid */
     murk_affine index_to_world; /* voxel i covers [i - 1/2, i + 1/2] */
     size_t memory_bytes;
+    /* Rectilinear grids: active counts values, voxel_m has the smallest cell
+     * along each axis, and index_to_world is the identity. */
+    size_t blocks;        /* 0: a grid of voxels */
+    bool has_nodes;       /* a block has values at nodes */
+    murk_box box;         /* of all blocks [m] */
+    uint64_t checksum[2]; /* of all edges and values */
+    char note[256];       /* how the values were obtained */
 } murk_grid_facts;
 
 /* Dense samples in memory: the data of a file "memory:NAME"
@@ -76,6 +86,14 @@ murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
                                   const char *name, const char *where,
                                   murk_error *err);
 
+/* Reads the extinction coefficients [1/m] of an FDS run at one time as a
+ * rectilinear grid (fds/extinction.h), which no other function of this header
+ * can make an albedo of. Warns of capped values and of a grid that is 0
+ * everywhere. Fails as murk_fds_field_read() and murk_subprocess_do() do. */
+murk_status murk_grid_read_fds(murk_grid **out, const char *path,
+                               const murk_fds_asked *asked, const char *where,
+                               murk_error *err);
+
 /* Makes a grid of dense samples, x fastest: size[0] * size[1] * size[2] values,
  * starting with voxel (0,0,0). Voxels of value 0 are not stored. Fails at
  * `where` with MURK_BAD_VALUE if there are no samples, more than 2^31, or
@@ -96,10 +114,12 @@ murk_grid *murk_grid_share(murk_grid *grid);
 const murk_grid_facts *murk_grid_describe(const murk_grid *grid);
 
 /* The NanoVDB float grid, for code that reads this format: memory_bytes
- * bytes, 64-byte aligned, owned by the grid; NULL if the grid is empty. */
+ * bytes, 64-byte aligned, owned by the grid; NULL if the grid is empty or
+ * rectilinear. */
 const void *murk_grid_nanovdb(const murk_grid *grid);
 
-/* Value of a density grid at an index; 0 outside of the active voxels. */
+/* Value of a density grid of voxels at an index; 0 outside of the active
+ * voxels. */
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k);
 
 #endif

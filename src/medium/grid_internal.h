@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "base/vector.h"
+#include "medium/rectilinear.h"
 #include "medium/tree.h"
 
 #include <stdbool.h>
@@ -11,8 +12,18 @@
 
 struct murk_grid;
 
-/* The tree of a grid. */
+/* The tree of a grid; that of a rectilinear grid is empty. */
 const murk_tree *murk_grid_tree(const struct murk_grid *grid);
+
+/* The field of a rectilinear grid; NULL for a grid of voxels. */
+const murk_rectilinear *murk_grid_rectilinear(const struct murk_grid *grid);
+
+/* Makes a grid of a packed field (medium/rectilinear.h), which is copied. Fails
+ * as murk_rectilinear_open() does. */
+murk_status murk_grid_from_field(struct murk_grid **out,
+                                 const unsigned char *packed, size_t size,
+                                 const char *name, const char *note,
+                                 const char *where, murk_error *err);
 
 /* 2^31 voxels are 8 GB of floats; indices in a grid have 32 bits. */
 #define MURK_VOXELS_MAX ((size_t)1 << 31)

@@ -6,6 +6,7 @@
 
 extern const murk_subprocess_job murk_grid_read_job, /* medium/grid.c */
     murk_grid_make_job,                              /* medium/grid.c */
+    murk_grid_fds_job,                               /* medium/grid_fds.c */
     murk_grid_write_job;                             /* medium/grid_write.c */
 
 #endif

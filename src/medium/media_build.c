@@ -208,7 +208,7 @@ static void warn_outside(const murk_place *place, const murk_box *domain,
  * medium is 0 at all heights in the band. */
 static bool has_no_density(const murk_medium *medium, int band)
 {
-    if (medium->grid) {
+    if (medium->grid && !murk_grid_rectilinear(medium->grid)) {
         return murk_grid_tree(medium->grid)->n_cells == 0;
     }
     bool is_empty = medium->profile != NULL;

@@ -37,8 +37,18 @@ static bool place_grid(murk_place *place, const murk_region *region,
     const murk_affine to_world = murk_affine_compose(
         &region->to_world, &murk_grid_describe(medium->grid)->index_to_world);
     const bool is_linear = medium->interpolation == MURK_LINEAR;
+    place->field = murk_grid_rectilinear(medium->grid);
     if (!murk_affine_invert(&to_world, &place->to_index)) {
         return false;
+    }
+    if (place->field) {
+        place->filling = MURK_FILLED_BY_RECTILINEAR;
+        if (place->shape == MURK_REGION_GRID) {
+            place->to_local = place->to_index;
+            place->is_moved = true;
+            place->bounds = murk_affine_box(&to_world, &place->field->box);
+        }
+        return true;
     }
     /* Index space; shifted by one half for nearest-neighbour interpolation. */
     place->filling = is_linear ? MURK_FILLED_BY_LINEAR : MURK_FILLED_BY_NEAREST;
@@ -122,10 +132,10 @@ bool murk_place_make(murk_place *place, const murk_region *region,
             return false;
         }
     }
-    const bool is_bounded =
-        made.shape != MURK_REGION_EVERYWHERE &&
-        made.shape != MURK_REGION_BELOW &&
-        !(made.shape == MURK_REGION_GRID && made.tree->n_cells == 0);
+    const bool is_bounded = made.shape != MURK_REGION_EVERYWHERE &&
+                            made.shape != MURK_REGION_BELOW &&
+                            !(made.shape == MURK_REGION_GRID && !made.field &&
+                              made.tree->n_cells == 0);
     if (is_bounded &&
         !(murk_is_finite(made.bounds.min) && murk_is_finite(made.bounds.max))) {
         return false; /* overflow or NaN in the placement */
@@ -159,6 +169,10 @@ bool murk_place_clip(const murk_place *place, const murk_vec3 *origin,
         murk_clip_sphere(place->center, place->radius, *o, *d, t0, t1);
         return *t0 < *t1;
     case MURK_REGION_GRID:
+        if (place->field) {
+            murk_clip_box(&place->field->box, *o, *d, t0, t1);
+            return *t0 < *t1;
+        }
         return murk_grid_clip(place->tree,
                               place->filling == MURK_FILLED_BY_LINEAR, *o, *d,
                               t0, t1);
@@ -183,6 +197,10 @@ bool murk_place_clip_filling(const murk_place *place, const murk_vec3 *origin,
     }
     const murk_vec3 o = murk_affine_point(&place->to_index, *origin);
     const murk_vec3 d = murk_affine_direction(&place->to_index, *direction);
+    if (place->field) {
+        murk_clip_box(&place->field->box, o, d, t0, t1);
+        return *t0 < *t1;
+    }
     return murk_grid_clip(place->tree, place->filling == MURK_FILLED_BY_LINEAR,
                           o, d, t0, t1);
 }
@@ -203,6 +221,9 @@ static bool filling_at(const murk_place *place, int band, murk_vec3 at,
         return place->filling == MURK_FILLED_BY_LINEAR
                    ? murk_linear_density(place->blocks, at, density)
                    : murk_tree_density(place->tree, at, density);
+    case MURK_FILLED_BY_RECTILINEAR:
+        at = is_grid ? at : murk_affine_point(&place->to_index, p);
+        return murk_rectilinear_density(place->field, at, density);
     case MURK_FILLED_BY_LAYERS:
         return murk_layers_density(place->profile, band, at.z, density);
     }

@@ -14,6 +14,7 @@
 #include "medium/leaf_table.h"
 #include "medium/linear_blocks.h"
 #include "medium/media.h"
+#include "medium/rectilinear.h"
 #include "medium/tree.h"
 
 #include <stdbool.h>
@@ -22,9 +23,10 @@
 /* The source of the density inside. */
 typedef enum murk_filling {
     MURK_FILLED_EVENLY,
-    MURK_FILLED_BY_NEAREST, /* a grid, one value per voxel */
-    MURK_FILLED_BY_LINEAR,  /* a grid, trilinear */
-    MURK_FILLED_BY_LAYERS   /* a profile */
+    MURK_FILLED_BY_NEAREST,     /* a grid, one value per voxel */
+    MURK_FILLED_BY_LINEAR,      /* a grid, trilinear */
+    MURK_FILLED_BY_RECTILINEAR, /* a rectilinear grid */
+    MURK_FILLED_BY_LAYERS       /* a profile */
 } murk_filling;
 
 typedef struct murk_place {
@@ -47,6 +49,8 @@ typedef struct murk_place {
      * lies between the centres of voxels i and i + 1. */
     murk_affine to_index;
     const murk_tree *tree;
+    const murk_rectilinear *field; /* in metres, to which to_index leads; NULL
+                                    * for a grid of voxels */
     /* Grids: the tables for walks, owned by the murk_media; NULL if they belong
      * to the other interpolation. */
     const murk_leaf_table *leaves;

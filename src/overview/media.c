@@ -119,6 +119,10 @@ static void add_grid(cJSON *item, const char *key, const murk_grid *grid)
     murk_json_number(g, "maximum", facts->maximum);
     murk_json_number(g, "sum", facts->sum);
     murk_json_numbers(g, "voxel_m", facts->voxel_m, 3);
+    if (facts->blocks > 0) {
+        murk_json_number(g, "meshes", (double)facts->blocks);
+        cJSON_AddStringToObject(g, "note", facts->note);
+    }
 }
 
 void murk_overview_json_media(cJSON *root, const murk_stage *stage)
@@ -132,7 +136,7 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage)
         /* Coefficients: a profile, a spectrum or grids. */
         if (m->profile_z_m.n > 0) {
             add_profile(item, m, scene->origin.z, scene->bands);
-        } else {
+        } else if (!m->fds) {
             murk_json_numbers(item, "extinction_per_m",
                               m->extinction_per_m.band, scene->bands);
         }
@@ -230,6 +234,8 @@ static void print_medium(const murk_stage *stage, size_t medium)
             m->profile_z_m.value[0] + scene->origin.z,
             m->profile_z_m.value[m->profile_z_m.n - 1] + scene->origin.z,
             profile_maximum(m).band[0]);
+    } else if (m->fds) {
+        murk_print("medium      %s: extinction of %s", m->name, m->fds);
     } else {
         murk_print("medium      %s: extinction %.6g /m", m->name,
                    m->extinction_per_m.band[0]);
@@ -242,8 +248,17 @@ static void print_medium(const murk_stage *stage, size_t medium)
     } else {
         murk_print(", albedo %.4g", m->albedo.band[0]);
     }
-    if (grid) {
-        const murk_grid_facts *facts = murk_grid_describe(grid);
+    const murk_grid_facts *facts = grid ? murk_grid_describe(grid) : NULL;
+    if (facts && facts->blocks > 0) {
+        murk_print(
+            "; %s: %llu values %s %zu mesh%s, cells from %.4g m, "
+            "extinction %.4g..%.4g /m; %s",
+            facts->name, (unsigned long long)facts->active,
+            facts->has_nodes ? "at nodes of" : "of cells of", facts->blocks,
+            facts->blocks == 1 ? "" : "es",
+            fmin(fmin(facts->voxel_m[0], facts->voxel_m[1]), facts->voxel_m[2]),
+            facts->minimum, facts->maximum, facts->note);
+    } else if (facts) {
         murk_print("; %sgrid %s: %llu voxels of %.4g m, density %.4g..%.4g",
                    m->is_linear ? "linear " : "", facts->name,
                    (unsigned long long)facts->active, facts->voxel_m[0],

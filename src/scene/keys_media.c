@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fds/extinction.h"
 #include "scene/frames.h"
 #include "scene/medium_preset.h"
 
@@ -15,7 +16,9 @@ enum {
     MEDIUM_GRID,
     MEDIUM_PROFILE,
     MEDIUM_PRESET,
-    MEDIUM_PRESET_GRID
+    MEDIUM_PRESET_GRID,
+    MEDIUM_FDS,
+    MEDIUM_PRESET_FDS
 };
 
 static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
@@ -23,12 +26,14 @@ static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
 {
     (void)walk;
     if (murk_yaml_get(map, "preset")) {
-        *variant =
-            murk_yaml_get(map, "vdb") ? MEDIUM_PRESET_GRID : MEDIUM_PRESET;
+        *variant = murk_yaml_get(map, "vdb")   ? MEDIUM_PRESET_GRID
+                   : murk_yaml_get(map, "fds") ? MEDIUM_PRESET_FDS
+                                               : MEDIUM_PRESET;
         return MURK_OK;
     }
     *variant = murk_yaml_get(map, "vdb")       ? MEDIUM_GRID
                : murk_yaml_get(map, "profile") ? MEDIUM_PROFILE
+               : murk_yaml_get(map, "fds")     ? MEDIUM_FDS
                                                : MEDIUM_HOMOGENEOUS;
     return MURK_OK;
 }
@@ -192,14 +197,25 @@ static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
 }
 
 static const char *const MEDIUM_VARIANTS[] = {
-    "homogeneous", "grid", "profile", "preset", "preset in a grid", NULL};
+    "homogeneous",
+    "grid",
+    "profile",
+    "preset",
+    "preset in a grid",
+    "smoke of an FDS run",
+    "preset in the smoke of an FDS run",
+    NULL};
 
 const murk_word murk_phase_words[] = {
     {"isotropic", MURK_PHASE_HG}, {"rayleigh", MURK_PHASE_RAYLEIGH}, WORDS_END};
 
-#define GRIDS   BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
-#define PRESETS BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID)
-#define PLAIN   BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID) | BIT(MEDIUM_PROFILE)
+#define GRIDS BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
+#define FDS   BIT(MEDIUM_FDS) | BIT(MEDIUM_PRESET_FDS)
+#define PRESETS \
+    BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID) | BIT(MEDIUM_PRESET_FDS)
+#define PLAIN                                                          \
+    BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID) | BIT(MEDIUM_PROFILE) | \
+        BIT(MEDIUM_FDS)
 
 /* A word of presets (preset/words.h); each preset states its own range. */
 #define WORD_ROW(name, id, ...)                 \
@@ -239,10 +255,22 @@ static const murk_key MEDIUM_ROWS[] = {
     ROW("grid", TEXT, .variants = GRIDS, MEDIUM(grid)),
     ROW("interpolation", WORD, .variants = GRIDS, .preset = "nearest",
         WORDS({"nearest", 0}, {"linear", 1}), MEDIUM(is_linear)),
+    ROW("fds", PATH, .group = 1, MEDIUM(fds)),
+    ROW("quantity", WORD, .variants = FDS, .preset = "soot density",
+        WORDS({"soot density", MURK_FDS_SOOT_DENSITY},
+              {"extinction", MURK_FDS_EXTINCTION},
+              {"visibility", MURK_FDS_VISIBILITY}),
+        MEDIUM(fds_quantity)),
+    ROW("mesh", NUMBER_LIST, .variants = FDS, .min = 1,
+        .max = MURK_FDS_MESHES_MAX, .preset = "all", WORDS({"all", 0}),
+        MEDIUM(fds_mesh)),
+    ROW("time_s", NUMBER, .variants = FDS, NEEDED, .min = -1e9, .max = 1e9,
+        .unit = "s", MEDIUM(time_s)),
     ROW("profile", MAP, .group = 1, .variants = PLAIN, .keys = &PROFILE),
     ROW("extinction_per_m", SPECTRUM, NEEDED, EXTINCTION,
         .variants = BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID)),
-    ROW("extinction_per_m", SPECTRUM, EXTINCTION, .variants = PRESETS),
+    ROW("extinction_per_m", SPECTRUM, EXTINCTION,
+        .variants = BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID)),
     ROW("albedo", SPECTRUM, NEEDED, SHARE, .keys = &ALBEDO, .variants = PLAIN,
         MEDIUM(albedo)),
     ROW("albedo", SPECTRUM, SHARE, .keys = &ALBEDO, .variants = PRESETS,
@@ -258,8 +286,8 @@ const murk_keys murk_medium_keys = {
     .noun = "medium",
     .choose = choose_medium,
     .variant_names = MEDIUM_VARIANTS,
-    .variant_needs =
-        (const char *const[]){"", "vdb", "profile", "preset", "preset vdb"},
+    .variant_needs = (const char *const[]){"", "vdb", "profile", "preset",
+                                           "preset vdb", "fds", "preset fds"},
     .complete = murk_medium_preset_complete,
     .check = check_medium,
     WHERE(murk_scene_medium, where),
@@ -286,7 +314,8 @@ static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
     const murk_yaml *name = murk_yaml_get(map, "medium");
     const murk_yaml *medium =
         media && name && name->text ? murk_yaml_get(media, name->text) : NULL;
-    const bool has_grid = medium && murk_yaml_get(medium, "vdb");
+    const bool has_grid = medium && (murk_yaml_get(medium, "vdb") ||
+                                     murk_yaml_get(medium, "fds"));
     *variant = has_grid ? MURK_REGION_GRID : MURK_REGION_EVERYWHERE;
     for (int i = 0; i < (int)(sizeof keys / sizeof *keys); ++i) {
         if (keys[i] && murk_yaml_get(map, keys[i])) {

@@ -128,6 +128,10 @@ typedef struct murk_scene_medium {
     double next_weight; /* of the densities of vdb_next, frame - floor(frame);
                          * vdb has the weight 1 - next_weight */
     char *vdb_frames;   /* pattern of the files' names; NULL: no frames */
+    char *fds;          /* path of the .smv file of an FDS run; NULL: none */
+    int fds_quantity;   /* murk_fds_quantity (fds/extinction.h) */
+    murk_scene_numbers fds_mesh;    /* numbers of meshes, from 1; n 0: all */
+    double time_s;                  /* of the run */
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;

@@ -66,6 +66,9 @@ static murk_box box_of_grid(const murk_affine *placed, const murk_grid *grid,
     if (facts->active == 0) {
         return murk_box_empty();
     }
+    if (facts->blocks > 0) {
+        return murk_affine_box(placed, &facts->box);
+    }
     const int64_t *low = facts->index_min, *high = facts->index_max;
     const double out = is_linear ? 1 : 0.5;
     const murk_box voxels = {

@@ -4,6 +4,7 @@
 #include "world/file_sums.h"
 
 #include "base/file.h"
+#include "fds/data_files.h"
 #include "scene/print.h"
 
 #include <inttypes.h>
@@ -63,6 +64,18 @@ bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path)
     return sum != NULL;
 }
 
+/* Where the sums of the data files of a simulation go. */
+typedef struct sums_to {
+    FILE *out;
+    murk_file_sums *sums;
+} sums_to;
+
+static bool put_data_file(void *context, const char *file)
+{
+    const sums_to *to = context;
+    return murk_file_sums_put(to->out, to->sums, file);
+}
+
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
                           const murk_scene_desc *scene)
 {
@@ -78,6 +91,11 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
         is_whole = murk_file_sums_put(out, sums, m->vdb) &&
                    murk_file_sums_put(out, sums, m->albedo_vdb) &&
                    (!m->vdb_next || murk_file_sums_put(out, sums, m->vdb_next));
+        /* The files of a simulation are not named in the scene. */
+        if (is_whole && m->fds) {
+            sums_to to = {out, sums};
+            is_whole = murk_fds_data_files(m->fds, put_data_file, &to);
+        }
     }
     for (size_t i = 0; i < scene->n_conditions && is_whole; ++i) {
         is_whole = murk_file_sums_scene(out, sums, scene->conditions[i].scene);

@@ -32,7 +32,8 @@ bool murk_file_sums_put(FILE *out, murk_file_sums *sums, const char *path);
 
 /* Prints a line of murk_file_sums_put() for each file that the scene names, and
  * two more lines for each medium: for the file of the density grid and for that
- * of the albedo grid, with "-" if the medium has no such grid. The lines of
+ * of the albedo grid, with "-" if the medium has no such grid. Lines for the
+ * data files of an FDS run come after those of its medium. The lines of
  * each condition of the scene follow in the same way. Returns false when out of
  * memory. */
 bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,

@@ -78,6 +78,13 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
                                         m->grid, m->where, err);
     } else if (m->vdb) {
         status = murk_grid_read(&f->grid[i], m->vdb, m->grid, m->where, err);
+    } else if (m->fds) {
+        const murk_fds_asked asked = {.quantity =
+                                          (murk_fds_quantity)m->fds_quantity,
+                                      .mesh = m->fds_mesh.value,
+                                      .n_meshes = m->fds_mesh.n,
+                                      .time_s = m->time_s};
+        status = murk_grid_read_fds(&f->grid[i], m->fds, &asked, m->where, err);
     }
     if (!status && m->albedo_grid) {
         status = murk_grid_read_albedo(&f->albedo[i], m->albedo_vdb,
@@ -153,8 +160,12 @@ void murk_fillings_give(const murk_fillings *fillings, size_t i,
 {
     medium->grid = fillings->grid[i];
     medium->albedo_grid = fillings->albedo[i];
-    if (fillings->profile[i].n > 0) {
+    const bool has_profile = fillings->profile[i].n > 0;
+    if (has_profile) {
         medium->profile = &fillings->profile[i];
+    }
+    if (has_profile ||
+        (medium->grid && murk_grid_describe(medium->grid)->blocks > 0)) {
         medium->extinction_per_m = murk_spectrum_flat(1, MURK_BANDS_MAX);
     }
 }

@@ -29,11 +29,12 @@ murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
                                 murk_error *err);
 
 /* Imports all grids of the scene by murk_grid_read(),
- * murk_grid_read_between() and murk_grid_read_albedo() (medium/grid.h), each
- * grid in a subprocess of its own. With `from` not NULL the grids of medium i
- * are shared with medium from[i] of `other` instead, unless from[i] is
- * MURK_NOT_SHARED. Fails as the three functions, or with MURK_NO_MEMORY. The
- * caller owns *out (murk_fillings_destroy()); the scene must outlive *out. */
+ * murk_grid_read_between(), murk_grid_read_fds() and murk_grid_read_albedo()
+ * (medium/grid.h), each grid in a subprocess of its own. With `from` not NULL
+ * the grids of medium i are shared with medium from[i] of `other` instead,
+ * unless from[i] is MURK_NOT_SHARED. Fails as these functions, or with
+ * MURK_NO_MEMORY. The caller owns *out (murk_fillings_destroy()); the scene
+ * must outlive *out. */
 #define MURK_NOT_SHARED SIZE_MAX
 murk_status murk_fillings_create(murk_fillings **out,
                                  const murk_scene_desc *scene,
@@ -43,8 +44,9 @@ void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */
 
 /* Sets the grid and the albedo grid of *medium to those of the i-th medium of
  * the fillings, NULL included, and the profile if the i-th medium has one. A
- * profile states the extinction by itself, so the extinction coefficient of a
- * medium with a profile becomes 1 in all bands. */
+ * profile and a rectilinear grid state the extinction by themselves, so the
+ * extinction coefficient of a medium with one of them becomes 1 in all bands.
+ */
 void murk_fillings_give(const murk_fillings *fillings, size_t i,
                         murk_medium *medium);
 

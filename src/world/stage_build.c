@@ -158,11 +158,13 @@ static murk_status import_meshes(murk_stage *stage, const murk_stage *earlier,
 }
 
 /* True if the grids of two media are made in the same way of files that are the
- * same if all checksums are. */
+ * same if all checksums are. False for FDS runs, of whose many files none has a
+ * checksum here. */
 static bool has_same_grids(const murk_scene_medium *m,
                            const murk_scene_medium *of)
 {
-    return !m->vdb == !of->vdb && !m->vdb_next == !of->vdb_next &&
+    return !m->fds && !of->fds && !m->vdb == !of->vdb &&
+           !m->vdb_next == !of->vdb_next &&
            !m->albedo_grid == !of->albedo_grid &&
            is_same_text(m->grid, of->grid) &&
            is_same_text(m->albedo_grid, of->albedo_grid) &&
@@ -187,6 +189,23 @@ static size_t find_filling(const murk_stage *stage, const murk_stage *earlier,
         }
     }
     return MURK_NOT_SHARED;
+}
+
+/* Appends the checksums of rectilinear grids to the light key: those of the
+ * values, because the files of a simulation hold many times and quantities. */
+static murk_status append_field_sums(murk_stage *stage, murk_error *err)
+{
+    const murk_scene_desc *scene = stage->scene;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        const murk_grid *grid = stage->fillings->grid[i];
+        const murk_grid_facts *facts = grid ? murk_grid_describe(grid) : NULL;
+        if (facts && facts->blocks > 0) {
+            status =
+                append_sum(stage, facts->checksum, scene->media[i].where, err);
+        }
+    }
+    return status;
 }
 
 /* Imports the meshes and grids that the light depends on, or shares them with
@@ -221,7 +240,7 @@ static murk_status import_world(murk_stage *stage, const murk_stage *earlier,
                                  earlier ? earlier->fillings : NULL, from, err);
     }
     free(from);
-    return status;
+    return status ? status : append_field_sums(stage, err);
 }
 
 /* Shares the meshes of geometry and regions and the grids of the stage `other`,
@@ -256,7 +275,7 @@ static murk_status share_world(murk_stage *stage, const murk_stage *other,
                                       from, err);
     }
     free(from);
-    return status;
+    return status ? status : append_field_sums(stage, err);
 }
 
 /* Builds the phase functions; checksums of tables in files are appended to the

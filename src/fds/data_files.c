@@ -1,0 +1,88 @@
+/* Lists the data files of an FDS run by their names, without the .smv file,
+ * which is read in a subprocess alone. */
+#include "fds/data_files.h"
+
+#include "base/path.h"
+
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The length of a file's name without the ending; 0 if the ending is another.
+ */
+static size_t stem_of(const char *name, const char *ending)
+{
+    const size_t n = strlen(name), m = strlen(ending);
+    return n > m && strcmp(name + n - m, ending) == 0 ? n - m : 0;
+}
+
+typedef struct list {
+    char **name;
+    size_t n, room;
+} list;
+
+static bool append(list *to, const char *name)
+{
+    if (to->n == to->room) {
+        const size_t more = to->room ? 2 * to->room : 64;
+        char **larger = realloc(to->name, more * sizeof *larger);
+        if (!larger) {
+            return false;
+        }
+        to->name = larger;
+        to->room = more;
+    }
+    to->name[to->n] = strdup(name);
+    return to->name[to->n++] != NULL;
+}
+
+static int by_name(const void *a, const void *b)
+{
+    const char *const *p = a, *const *q = b;
+    return strcmp(*p, *q);
+}
+
+/* Lists the names of the run's data files in a folder. */
+static bool list_names(list *to, DIR *folder, const char *run, size_t stem)
+{
+    bool is_whole = true;
+    for (const struct dirent *entry = readdir(folder); entry && is_whole;
+         entry = readdir(folder)) {
+        const char *name = entry->d_name;
+        const bool is_data = stem_of(name, ".s3d") || stem_of(name, ".sf");
+        if (is_data && strncmp(name, run, stem) == 0 && name[stem] == '_') {
+            is_whole = append(to, name);
+        }
+    }
+    return is_whole;
+}
+
+bool murk_fds_data_files(const char *path,
+                         bool (*add)(void *context, const char *file),
+                         void *context)
+{
+    const char *run = murk_path_name(path);
+    const size_t stem = stem_of(run, ".smv");
+    char *here = murk_path_beside(path, ".");
+    DIR *folder = here && stem ? opendir(here) : NULL;
+    list names = {0};
+    bool is_whole = here && (!folder || list_names(&names, folder, run, stem));
+    if (folder) {
+        closedir(folder);
+    }
+    /* Sorted, as the order in a folder is that of chance. */
+    if (is_whole && names.n > 0) {
+        qsort(names.name, names.n, sizeof *names.name, by_name);
+    }
+    for (size_t i = 0; i < names.n && is_whole; ++i) {
+        char *file = murk_path_beside(path, names.name[i]);
+        is_whole = file && add(context, file);
+        free(file);
+    }
+    for (size_t i = 0; i < names.n; ++i) {
+        free(names.name[i]);
+    }
+    free(names.name);
+    free(here);
+    return is_whole;
+}

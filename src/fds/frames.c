@@ -1,0 +1,264 @@
+/* Reads frames of .s3d and .sf files (fds/frames.h). All sizes in the files are
+ * checked against the file before they are used. */
+#include "fds/frames.h"
+
+#include "base/inputs.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define LABEL_BYTES 30
+#define FRAMES_MAX  10000000
+#define VALUES_MAX  ((uint64_t)1 << 31)
+
+static murk_status bad(const murk_fds_frames *f, const char *problem,
+                       murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_FILE, f->where, "%s", problem);
+}
+
+static uint32_t swapped(uint32_t word)
+{
+    return __builtin_bswap32(word);
+}
+
+/* ---- records ---- */
+
+/* Reads the length before or after a record; false at the end of the file. */
+static bool read_length(murk_fds_frames *f, uint32_t *out)
+{
+    uint32_t word;
+    if (fread(&word, sizeof word, 1, f->file) != 1) {
+        return false;
+    }
+    *out = f->is_swapped ? swapped(word) : word;
+    return true;
+}
+
+/* Reads a record of exactly n words of four bytes and brings them to the byte
+ * order of this computer. False if there is no such record. */
+static bool read_words(murk_fds_frames *f, void *out, size_t n)
+{
+    uint32_t before, after;
+    if (!read_length(f, &before) || before != 4 * n ||
+        fread(out, 4, n, f->file) != n || !read_length(f, &after) ||
+        after != before) {
+        return false;
+    }
+    uint32_t *word = out;
+    for (size_t i = 0; f->is_swapped && i < n; ++i) {
+        word[i] = swapped(word[i]);
+    }
+    return true;
+}
+
+/* Skips a record; *size is the number of bytes in it. */
+static bool skip_record(murk_fds_frames *f, uint64_t file_bytes, uint32_t *size)
+{
+    uint32_t after;
+    const bool has_length = read_length(f, size);
+    const off_t at = ftello(f->file);
+    return has_length && at >= 0 && *size <= file_bytes - (uint64_t)at &&
+           fseeko(f->file, (off_t)*size, SEEK_CUR) == 0 &&
+           read_length(f, &after) && after == *size;
+}
+
+/* ---- the beginning of a file ---- */
+
+/* The first length of both kinds of file is known and tells the byte order. */
+static bool find_byte_order(murk_fds_frames *f)
+{
+    const uint32_t expected = f->is_smoke3d ? 32 : LABEL_BYTES;
+    uint32_t length = 0;
+    f->is_swapped = false;
+    if (!read_length(f, &length)) {
+        return false;
+    }
+    f->is_swapped = swapped(length) == expected;
+    rewind(f->file);
+    return f->is_swapped || length == expected;
+}
+
+static bool read_header(murk_fds_frames *f, uint64_t file_bytes)
+{
+    if (f->is_smoke3d) {
+        int32_t words[8];
+        const bool is_read = read_words(f, words, 8);
+        memcpy(f->nodes, &words[2], sizeof f->nodes);
+        return is_read;
+    }
+    bool is_good = true;
+    for (int label = 0; label < 3 && is_good; ++label) {
+        uint32_t size = 0;
+        is_good = skip_record(f, file_bytes, &size) && size == LABEL_BYTES;
+    }
+    return is_good && read_words(f, f->nodes, 6);
+}
+
+/* Computes the number of values of a frame; false if the nodes are out of
+ * order or too many. */
+static bool count_values(murk_fds_frames *f)
+{
+    f->values = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int64_t low = f->nodes[2 * axis], high = f->nodes[2 * axis + 1];
+        if (low < 0 || high < low || high > MURK_FDS_CELLS_MAX) {
+            return false;
+        }
+        f->values *= (uint64_t)(high - low + 1);
+        if (f->values > VALUES_MAX) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- frames ---- */
+
+/* Skips the records of a frame after the time; false if they are not whole. */
+static bool skip_frame(murk_fds_frames *f, uint64_t file_bytes)
+{
+    uint32_t size = 0;
+    if (f->is_smoke3d) {
+        uint32_t bytes[2];
+        return read_words(f, bytes, 2) && skip_record(f, file_bytes, &size) &&
+               size == bytes[1];
+    }
+    return skip_record(f, file_bytes, &size) && size == 4 * f->values;
+}
+
+static bool add_frame(murk_fds_frames *f, size_t *room, float time_s,
+                      int64_t offset)
+{
+    if (f->n == *room) {
+        const size_t more = *room ? 2 * *room : 64;
+        float *times = realloc(f->time_s, more * sizeof *times);
+        f->time_s = times ? times : f->time_s;
+        int64_t *offsets = realloc(f->offset, more * sizeof *offsets);
+        f->offset = offsets ? offsets : f->offset;
+        if (!times || !offsets) {
+            return false;
+        }
+        *room = more;
+    }
+    f->time_s[f->n] = time_s;
+    f->offset[f->n++] = offset;
+    return true;
+}
+
+/* Finds all frames. A run that was restarted may repeat times: a frame that is
+ * not later than the one before is refused, because it is not clear which of
+ * them is meant. */
+static murk_status find_frames(murk_fds_frames *f, uint64_t file_bytes,
+                               murk_error *err)
+{
+    size_t room = 0;
+    float time_s;
+    while (f->n < FRAMES_MAX && read_words(f, &time_s, 1)) {
+        const off_t at = ftello(f->file);
+        if (at < 0 || !skip_frame(f, file_bytes)) {
+            break;
+        }
+        if (!isfinite(time_s) || (f->n > 0 && time_s <= f->time_s[f->n - 1])) {
+            return bad(f, "has a frame that is not later than the one before",
+                       err);
+        }
+        if (!add_frame(f, &room, time_s, at)) {
+            return murk_no_memory(err, f->where, "for its frames");
+        }
+    }
+    return f->n > 0 ? MURK_OK : bad(f, "has no whole frame", err);
+}
+
+murk_status murk_fds_frames_open(murk_fds_frames *out, const char *path,
+                                 bool is_smoke3d, const char *where,
+                                 murk_error *err)
+{
+    murk_fds_frames *f = out;
+    *f = (murk_fds_frames){.is_smoke3d = is_smoke3d, .where = where};
+    f->file = murk_inputs_open(path);
+    struct stat facts;
+    if (!f->file || fstat(fileno(f->file), &facts) != 0) {
+        return bad(f, strerror(errno), err);
+    }
+    if (!S_ISREG(facts.st_mode)) {
+        return bad(f, "is not a regular file", err);
+    }
+    const uint64_t bytes = (uint64_t)facts.st_size;
+    if (!find_byte_order(f) || !read_header(f, bytes) || !count_values(f)) {
+        return bad(f,
+                   is_smoke3d ? "does not begin as a .s3d file of FDS"
+                              : "does not begin as a slice file of FDS",
+                   err);
+    }
+    return find_frames(f, bytes, err);
+}
+
+void murk_fds_frames_close(murk_fds_frames *f)
+{
+    if (f->file) {
+        fclose(f->file);
+    }
+    free(f->time_s);
+    free(f->offset);
+    *f = (murk_fds_frames){0};
+}
+
+/* Expands run-length coded bytes to exactly `values` numbers. */
+static bool expand(const unsigned char *bytes, size_t n, float *out,
+                   uint64_t values)
+{
+    uint64_t at = 0;
+    size_t i = 0;
+    while (i < n) {
+        const bool is_run = bytes[i] == 255;
+        if (is_run && n - i < 3) {
+            return false;
+        }
+        const unsigned char value = is_run ? bytes[i + 1] : bytes[i];
+        const uint64_t times = is_run ? bytes[i + 2] : 1;
+        if (times > values - at) {
+            return false;
+        }
+        for (uint64_t k = 0; k < times; ++k) {
+            out[at++] = value;
+        }
+        i += is_run ? 3 : 1;
+    }
+    return at == values;
+}
+
+static murk_status read_bytes(murk_fds_frames *f, float *out, murk_error *err)
+{
+    uint32_t sizes[2], length;
+    if (!read_words(f, sizes, 2) || !read_length(f, &length)) {
+        return bad(f, "cannot be read", err);
+    }
+    unsigned char *bytes = malloc((size_t)length + 1);
+    if (!bytes) {
+        return murk_no_memory(err, f->where, "for a frame");
+    }
+    const bool is_good = fread(bytes, 1, length, f->file) == length &&
+                         sizes[0] == f->values &&
+                         expand(bytes, length, out, f->values);
+    free(bytes);
+    return is_good ? MURK_OK
+                   : bad(f, "has a frame with too few or too many values", err);
+}
+
+murk_status murk_fds_frames_read(murk_fds_frames *frames, size_t frame,
+                                 float *out, murk_error *err)
+{
+    murk_fds_frames *f = frames;
+    if (fseeko(f->file, (off_t)f->offset[frame], SEEK_SET) != 0) {
+        return bad(f, "cannot be read", err);
+    }
+    if (f->is_smoke3d) {
+        return read_bytes(f, out, err);
+    }
+    return read_words(f, out, f->values) ? MURK_OK
+                                         : bad(f, "cannot be read", err);
+}

@@ -1,0 +1,209 @@
+/* Walk of a ray through a field on rectilinear grids, block by block and cell
+ * by cell. The cell beyond a face is known by number, not by position, and each
+ * block is entered once, so the walk cannot stall. */
+#include "medium/rectilinear.h"
+
+#include "base/interval.h"
+#include "medium/clip.h"
+#include "medium/grid_ray.h"
+
+#include <float.h>
+#include <math.h>
+
+typedef murk_rectilinear_walk walk_state;
+
+static murk_vec3 vector_of(const double v[3])
+{
+    return murk_vec(v[0], v[1], v[2]);
+}
+
+/* Finds the block that the ray enters next: *number is field->n if there is
+ * none, and *at the ray parameter at which the ray enters it. */
+static void find_next_block(const walk_state *m, size_t *number, double *at)
+{
+    const murk_rectilinear *field = m->field;
+    const murk_vec3 origin = vector_of(m->origin);
+    const murk_vec3 direction = vector_of(m->direction);
+    *number = field->n;
+    *at = INFINITY;
+    for (size_t i = 0; i < field->n; ++i) {
+        double t0 = -INFINITY, t1 = m->end;
+        murk_clip_box(&field->block[i].box, origin, direction, &t0, &t1);
+        const bool is_later = m->latest == field->n || t0 > m->entered ||
+                              (t0 == m->entered && i > m->latest);
+        if (t0 < t1 && t1 > m->from && is_later && t0 < *at) {
+            *number = i;
+            *at = t0;
+        }
+    }
+}
+
+/* Sets `to` to the face ahead by which the ray leaves the cell, at most to the
+ * end of the walk. */
+static void cross_cell(walk_state *m)
+{
+    m->to = m->end;
+    m->exit_axis = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (m->inverse[axis] == 0) {
+            continue;
+        }
+        const size_t ahead = m->cell[axis] + (m->inverse[axis] > 0);
+        const double face = m->block->edge[axis][ahead];
+        const double t = (face - m->origin[axis]) * m->inverse[axis];
+        if (t < m->to) {
+            m->to = t;
+            m->exit_axis = axis;
+        }
+    }
+    m->to = murk_larger(m->to, m->from);
+}
+
+/* Enters a block at `from`. */
+static void enter_block(walk_state *m, size_t number)
+{
+    m->block = &m->field->block[number];
+    for (int axis = 0; axis < 3; ++axis) {
+        m->cell[axis] =
+            murk_interval_of(m->block->edge[axis], 1, m->block->cells[axis] + 1,
+                             m->origin[axis] + m->from * m->direction[axis]);
+    }
+}
+
+/* Moves to the cell beyond the face at which the segment ended; out of the
+ * block beyond its last cell. */
+static void leave_cell(walk_state *m)
+{
+    const int axis = m->exit_axis;
+    const bool is_up = m->inverse[axis] > 0;
+    const size_t last = is_up ? m->block->cells[axis] - 1 : 0;
+    if (m->cell[axis] == last) {
+        m->block = NULL;
+    } else {
+        m->cell[axis] += is_up ? 1 : (size_t)-1;
+    }
+}
+
+void murk_rectilinear_begin(murk_rectilinear_walk *walk,
+                            const murk_rectilinear *field, murk_vec3 origin,
+                            murk_vec3 direction, double t0, double t1)
+{
+    *walk = (murk_rectilinear_walk){.field = field,
+                                    .end = fmin(t1, DBL_MAX),
+                                    .from = t0,
+                                    .to = t0,
+                                    .exit_axis = -1,
+                                    .latest = field->n,
+                                    .next = field->n};
+    for (int axis = 0; axis < 3; ++axis) {
+        walk->origin[axis] = murk_component(origin, axis);
+        walk->inverse[axis] = murk_invert(murk_component(direction, axis));
+        walk->direction[axis] =
+            walk->inverse[axis] == 0 ? 0 : murk_component(direction, axis);
+    }
+}
+
+bool murk_rectilinear_next(murk_rectilinear_walk *walk)
+{
+    walk_state *m = walk;
+    m->from = m->to;
+    if (!(m->from < m->end)) {
+        return false;
+    }
+    if (m->block) {
+        leave_cell(m);
+    }
+    if (!m->block && m->next < m->field->n) {
+        /* The segment between blocks has ended. */
+        enter_block(m, m->next);
+        m->next = m->field->n;
+    } else if (!m->block) {
+        size_t number;
+        double at;
+        find_next_block(m, &number, &at);
+        m->latest = number;
+        m->entered = at;
+        if (number == m->field->n || at > m->from) {
+            m->next = number;
+            m->exit_axis = -1;
+            m->to = murk_smaller(at, m->end);
+            return true;
+        }
+        enter_block(m, number);
+    }
+    cross_cell(m);
+    return true;
+}
+
+/* The values at the corners of the current cell: corner[4 x + 2 y + z]. */
+static void corners_of(const walk_state *m, double corner[8])
+{
+    const murk_rectilinear_block *b = m->block;
+    const size_t row = b->cells[0] + 1, sheet = row * (b->cells[1] + 1);
+    const float *v =
+        &b->value[m->cell[2] * sheet + m->cell[1] * row + m->cell[0]];
+    for (size_t i = 0; i < 8; ++i) {
+        corner[i] = (double)v[(i & 1) * sheet + (i >> 1 & 1) * row + (i >> 2)];
+    }
+}
+
+/* The place at ray parameter t in the current cell, as shares of its edges. */
+static void place_in_cell(const walk_state *m, double t, double place[3])
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *edge = &m->block->edge[axis][m->cell[axis]];
+        const double at = m->origin[axis] + t * m->direction[axis];
+        const double share = (at - edge[0]) / (edge[1] - edge[0]);
+        place[axis] = murk_smaller(murk_larger(share, 0), 1);
+    }
+}
+
+static double value_of_cell(const walk_state *m)
+{
+    const murk_rectilinear_block *b = m->block;
+    return (double)
+        b->value[(m->cell[2] * b->cells[1] + m->cell[1]) * b->cells[0] +
+                 m->cell[0]];
+}
+
+murk_cubic murk_rectilinear_cubic(const murk_rectilinear_walk *walk, double t0,
+                                  double t1)
+{
+    if (!walk->block) {
+        return (murk_cubic){{0}};
+    }
+    if (!walk->block->has_nodes) {
+        return (murk_cubic){{value_of_cell(walk), 0, 0, 0}};
+    }
+    double corner[8], a[3], b[3];
+    corners_of(walk, corner);
+    place_in_cell(walk, t0, a);
+    place_in_cell(walk, t1, b);
+    return murk_cubic_in_cell(corner, a, b);
+}
+
+bool murk_rectilinear_integrate(murk_rectilinear_walk *walk, double scale,
+                                double offset, double limit, double *sum)
+{
+    walk_state *m = walk;
+    while (murk_rectilinear_next(m)) {
+        const double length = m->to - m->from;
+        const murk_cubic own = murk_rectilinear_cubic(m, m->from, m->to);
+        murk_cubic whole = {{offset, 0, 0, 0}};
+        murk_cubic_add(&whole, scale, &own);
+        const double mean = murk_cubic_integral(&whole, 1);
+        const double more = *sum + mean * length;
+        if (more >= limit && mean > 0 && length > 0) {
+            /* The limit is reached in this segment. */
+            const double s =
+                murk_cubic_reach(&whole, (limit - *sum) / (mean * length));
+            m->to = murk_smaller(m->to, m->from + s * length);
+            m->value = murk_cubic_value(&own, s);
+            m->value = m->value > 0 ? m->value : murk_cubic_integral(&own, 1);
+            *sum = limit;
+            return true;
+        }
+        *sum = more;
+    }
+    return false;
+}
