@@ -1,4 +1,5 @@
-/* murk report: one self-contained page of a result folder. */
+/* murk report, and --report of other commands: one self-contained page of a
+ * result folder. */
 #include "app/given.h"
 #include "app/show.h"
 #include "base/print.h"
@@ -24,25 +25,49 @@ static void print_page(const murk_fields *page)
     murk_print("\n");
 }
 
-murk_status murk_command_report(const murk_options *options, murk_error *err)
+/* Writes the page of a folder to `path`, NULL: into the folder. */
+static murk_status write_page(const murk_options *options, const char *folder,
+                              const char *path, bool prints_json,
+                              murk_error *err)
 {
-    if (options->n_overrides > 0) {
-        return murk_fail(err, MURK_BAD_VALUE, "report",
-                         "shows results as they are: no --set and no --seed");
-    }
     murk_given_save save = {.exports = NULL};
     const murk_fields *page = NULL;
     murk_status status = murk_given_save_begin(&save, options, err);
     if (!status) {
-        status =
-            murk_context_write_report(options->context, options->input,
-                                      options->out, &save.options, &page, err);
+        status = murk_context_write_report(options->context, folder, path,
+                                           &save.options, &page, err);
     }
-    if (!status && options->json) {
+    if (!status && prints_json) {
         murk_print_json(murk_fields_json(page));
     } else if (!status && murk_shows_summary(options)) {
         print_page(page);
     }
     murk_given_save_end(&save);
     return status;
+}
+
+murk_status murk_command_report(const murk_options *options, murk_error *err)
+{
+    return options->n_overrides > 0
+               ? murk_fail(err, MURK_BAD_VALUE, "report",
+                           "shows results as they are: no --set and no --seed")
+               : write_page(options, options->input, options->out,
+                            options->json, err);
+}
+
+murk_status murk_page_check(const murk_options *options, murk_error *err)
+{
+    const bool has_folder = options->out && !options->shard.count;
+    return !options->wants_page || has_folder
+               ? MURK_OK
+               : murk_fail(err, MURK_BAD_VALUE, "--report",
+                           "writes the page into the folder of the results: "
+                           "needs -o DIR, and no --shard");
+}
+
+murk_status murk_page_write(const murk_options *options, murk_error *err)
+{
+    return options->wants_page
+               ? write_page(options, options->out, NULL, false, err)
+               : MURK_OK;
 }

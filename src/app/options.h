@@ -125,6 +125,12 @@ murk_command_run murk_command_check, murk_command_trace, murk_command_place,
     murk_command_replay, murk_command_media, murk_command_help,
     murk_command_schema, murk_command_init, murk_command_merge;
 
+/* --report: murk_page_check() fails before the command runs if there will be no
+ * folder; murk_page_write() writes the page of the folder afterwards. Without
+ * --report both do nothing. */
+murk_status murk_page_check(const murk_options *options, murk_error *err);
+murk_status murk_page_write(const murk_options *options, murk_error *err);
+
 /* ---- a command line as given ---- */
 
 typedef struct murk_words_given {
@@ -199,7 +205,8 @@ struct murk_options {
     murk_section_options section;
     unsigned threads;
     bool json, quiet;
-    bool force; /* --force */
+    bool force;      /* --force */
+    bool wants_page; /* --report */
     murk_progress_mode progress;
     murk_given_key *overrides; /* in the order given */
     size_t n_overrides;

@@ -43,8 +43,15 @@ static murk_status print_version(murk_error *err)
 
 static murk_status run_command(murk_options *options, murk_error *err)
 {
-    const murk_status status = murk_terminal_begin(options, err);
-    return status ? status : options->command->run(options, err);
+    murk_status status = murk_page_check(options, err);
+    if (!status) {
+        status = murk_terminal_begin(options, err);
+    }
+    if (!status) {
+        status = options->command->run(options, err);
+    }
+    return status || murk_ranks_number() > 0 ? status
+                                             : murk_page_write(options, err);
 }
 
 /* Fails unless all ranks run the same build of murk with the same words. */

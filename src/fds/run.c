@@ -525,6 +525,9 @@ static murk_status check_run(const reader *r)
     murk_status status =
         run->meshes > 0 ? MURK_OK
                         : bad(r, "has no GRID: is no .smv file of FDS", NULL);
+    if (!status && run->surfaces == 0) {
+        status = bad(r, "has no SURFACE", NULL);
+    }
     for (size_t i = 0; i < run->meshes && !status; ++i) {
         status = check_mesh(r, &run->mesh[i]);
     }

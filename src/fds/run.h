@@ -19,6 +19,8 @@
 #define MURK_FDS_CELLS_MAX  ((1 << 20) - 1) /* along an axis */
 #define MURK_FDS_ITEMS_MAX  10000000        /* obstructions, events, ... */
 
+/* Of meshes, surfaces and quantities: FDS's own names have up to 60 characters.
+ */
 #define MURK_FDS_NAME_SIZE 64
 
 /* A box of nodes, lowest and highest along x, y and z: the faces of an

@@ -426,7 +426,7 @@ murk_status murk_import_work(murk_subprocess *subprocess, void *context,
 
 /* ---- the job ---- */
 
-static void pack(murk_parcel *to, const void *context)
+void murk_import_pack(murk_parcel *to, const void *context)
 {
     const murk_import_request *request = context;
     murk_parcel_put_text(to, request->path);
@@ -435,22 +435,28 @@ static void pack(murk_parcel *to, const void *context)
     murk_parcel_put_text(to, request->import.allow);
 }
 
+murk_status murk_import_unpack(murk_import_request *out, murk_parcel *from,
+                               murk_error *err)
+{
+    out->path = murk_parcel_take_text(from);
+    out->where = murk_parcel_take_text(from);
+    const murk_mesh_import *import = murk_parcel_take(from, sizeof *import);
+    const char *allow = murk_parcel_take_text(from);
+    if (from->is_short || !out->path || !out->where) {
+        return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
+    }
+    out->import = *import;
+    out->import.allow = allow;
+    return MURK_OK;
+}
+
 static murk_status work_packed(murk_subprocess *subprocess, murk_parcel *from,
                                murk_error *err)
 {
     murk_import_request request = {0};
-    request.path = murk_parcel_take_text(from);
-    request.where = murk_parcel_take_text(from);
-    const murk_mesh_import *import =
-        murk_parcel_take(from, sizeof request.import);
-    const char *allow = murk_parcel_take_text(from);
-    if (from->is_short || !request.path || !request.where) {
-        return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
-    }
-    request.import = *import;
-    request.import.allow = allow;
-    return murk_import_work(subprocess, &request, err);
+    const murk_status status = murk_import_unpack(&request, from, err);
+    return status ? status : murk_import_work(subprocess, &request, err);
 }
 
-const murk_subprocess_job murk_import_job = {"mesh", murk_import_work, pack,
-                                             work_packed};
+const murk_subprocess_job murk_import_job = {"mesh", murk_import_work,
+                                             murk_import_pack, work_packed};

@@ -1,6 +1,6 @@
 /* The part of reading a mesh that runs in a subprocess, or, if the host trusts
  * the files, in the calling process (base/subprocess.h). import.c is the only
- * file of murk that calls Assimp.
+ * file of murk that calls Assimp; fds_import.c imports FDS runs.
  *
  * The work sends, in this order: murk_import_head, float[vertices][3],
  * uint32_t[triangles][4] (three corners and the material),
@@ -29,6 +29,15 @@ murk_affine murk_import_up_to_z(char up);
 /* The import as a job of murk_subprocess_do(); the context is a
  * murk_import_request. */
 extern const murk_subprocess_job murk_import_job;
+
+/* The request and the answer are those of murk_import_job; for the walls of FDS
+ * runs (fds_import.c). */
+extern const murk_subprocess_job murk_import_fds_job;
+
+/* pack() of both jobs, and the request that work_packed() takes. */
+void murk_import_pack(murk_parcel *to, const void *context);
+murk_status murk_import_unpack(murk_import_request *out, murk_parcel *from,
+                               murk_error *err);
 
 /* A murk_subprocess_work function; `context` is a murk_import_request. */
 murk_status murk_import_work(murk_subprocess *subprocess, void *context,

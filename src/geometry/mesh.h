@@ -46,6 +46,11 @@ typedef struct murk_mesh_import {
     /* A further folder, besides that of the mesh, in which the mesh may name
      * other files (glTF's buffers, OBJ's mtllib). NULL: no other folder. */
     const char *allow;
+    /* The file is the .smv file of an FDS run: the mesh consists of the walls
+     * of the run at a time (fds/walls.h), with the names of surfaces as those
+     * of materials. unit_m and up are ignored. */
+    bool is_fds;
+    double fds_time_s;
 } murk_mesh_import;
 
 /* A path "memory:NAME" names a mesh in memory (base/memory_files.h), whose data

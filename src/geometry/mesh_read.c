@@ -261,8 +261,10 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
          * file. */
         const murk_subprocess_limits limits =
             murk_subprocess_limits_for(file_bytes);
-        status = murk_subprocess_do(&bytes, &size, &murk_import_job, &request,
-                                    &limits, where, err);
+        status = murk_subprocess_do(&bytes, &size,
+                                    request.import.is_fds ? &murk_import_fds_job
+                                                          : &murk_import_job,
+                                    &request, &limits, where, err);
     }
     if (status) {
         return status;

@@ -166,6 +166,22 @@ static double value_of_cell(const walk_state *m)
                  m->cell[0]];
 }
 
+/* True if the field is 0 in the whole segment. */
+static bool is_empty(const walk_state *m)
+{
+    if (!m->block || !m->block->has_nodes) {
+        return !m->block || value_of_cell(m) == 0;
+    }
+    const murk_rectilinear_block *b = m->block;
+    const size_t row = b->cells[0] + 1, sheet = row * (b->cells[1] + 1);
+    const float *v =
+        &b->value[m->cell[2] * sheet + m->cell[1] * row + m->cell[0]];
+    /* Values are 0 or more. */
+    return v[0] + v[1] + v[row] + v[row + 1] + v[sheet] + v[sheet + 1] +
+               v[sheet + row] + v[sheet + row + 1] ==
+           0;
+}
+
 murk_cubic murk_rectilinear_cubic(const murk_rectilinear_walk *walk, double t0,
                                   double t1)
 {
@@ -187,6 +203,10 @@ bool murk_rectilinear_integrate(murk_rectilinear_walk *walk, double scale,
 {
     walk_state *m = walk;
     while (murk_rectilinear_next(m)) {
+        /* Where there is no smoke, the next segment. */
+        if (offset == 0 && is_empty(m)) {
+            continue;
+        }
         const double length = m->to - m->from;
         const murk_cubic own = murk_rectilinear_cubic(m, m->from, m->to);
         murk_cubic whole = {{offset, 0, 0, 0}};

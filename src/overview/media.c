@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/path.h"
 #include "results/results.h"
 #include "results/summary.h"
 #include "scene/places.h"
@@ -235,7 +236,8 @@ static void print_medium(const murk_stage *stage, size_t medium)
             m->profile_z_m.value[m->profile_z_m.n - 1] + scene->origin.z,
             profile_maximum(m).band[0]);
     } else if (m->fds) {
-        murk_print("medium      %s: extinction of %s", m->name, m->fds);
+        murk_print("medium      %s: extinction of %s", m->name,
+                   murk_path_name(m->fds));
     } else {
         murk_print("medium      %s: extinction %.6g /m", m->name,
                    m->extinction_per_m.band[0]);

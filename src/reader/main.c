@@ -10,8 +10,8 @@
 int main(void)
 {
     static const murk_subprocess_job *const jobs[] = {
-        &murk_import_job, &murk_grid_read_job, &murk_grid_make_job,
-        &murk_grid_write_job, &murk_grid_fds_job};
+        &murk_import_job,    &murk_import_fds_job, &murk_grid_read_job,
+        &murk_grid_make_job, &murk_grid_write_job, &murk_grid_fds_job};
     murk_parcel request;
     if (!murk_program_request(&request, MURK_PROGRAM_READER)) {
         return 2;

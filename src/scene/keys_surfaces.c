@@ -5,8 +5,13 @@
 #include <string.h>
 
 #define SHAPE_KEY(id, key) key,
-static const char *const GEOMETRY_VARIANTS[] = {MURK_SURFACE_SHAPES(SHAPE_KEY)
-                                                    NULL};
+static const char *const GEOMETRY_VARIANTS[] = {
+    MURK_SURFACE_SHAPES(SHAPE_KEY) "fds", NULL};
+
+/* The variant of the walls of an FDS run, which are a mesh once they are
+ * read. */
+#define SHAPE_COUNTED(id, key) +1
+#define SHAPE_FDS              (0 MURK_SURFACE_SHAPES(SHAPE_COUNTED))
 
 static murk_status check_rect(murk_key_reader *walk, const murk_yaml *map,
                               void *item)
@@ -28,12 +33,19 @@ static const murk_keys RECT = {
     .noun = "rect", .check = check_rect, .key = RECT_ROWS};
 
 #define OF_MESH .variants = BIT(MURK_SHAPE_MESH)
+#define OF_FDS  .variants = BIT(SHAPE_FDS)
 
-/* Names serve as parts of paths, where a number is the index of an item. */
+/* Checks the name and gives the walls of an FDS run their shape. Names serve as
+ * parts of paths, where a number is the index of an item. */
 static murk_status check_geometry(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
-    const murk_scene_geometry *first = walk->scene->geometry, *own = item;
+    const murk_scene_geometry *first = walk->scene->geometry;
+    murk_scene_geometry *own = item;
+    if ((int)own->shape == SHAPE_FDS) {
+        own->shape = MURK_SHAPE_MESH;
+        own->is_fds = true;
+    }
     if (own->name[0] == '\0') {
         return MURK_OK;
     }
@@ -53,6 +65,9 @@ static const murk_key GEOMETRY_ROWS[] = {
     BOX_ROW(murk_scene_geometry, .group = 1, NEEDED),
     ROW("rect", MAP, .group = 1, NEEDED, .keys = &RECT),
     SPHERE_ROW(murk_scene_geometry, .group = 1, NEEDED),
+    ROW("fds", PATH, .group = 1, NEEDED, OF_FDS, GEOMETRY(solid.mesh)),
+    ROW("time_s", NUMBER, OF_FDS, .min = -1e9, .max = 1e9, .unit = "s",
+        .preset = "0", GEOMETRY(time_s)),
     ROW("unit_m", NUMBER, SIZE_M, OF_MESH, GEOMETRY(solid.unit_m)),
     ROW("allow", PATH, OF_MESH, GEOMETRY(allow)),
     ROW("up", WORD, OF_MESH, .words = murk_up_words, GEOMETRY(solid.up)),

@@ -58,8 +58,10 @@ typedef struct murk_scene_geometry {
     murk_scene_where where;
     murk_shape shape;
     murk_scene_solid solid;
-    char *allow; /* a further folder in which the file of the mesh may open
-                    other files; NULL: only the folder of that file */
+    char *allow;   /* a further folder in which the file of the mesh may open
+                      other files; NULL: only the folder of that file */
+    bool is_fds;   /* the file of the mesh is the .smv file of an FDS run */
+    double time_s; /* of that run */
     murk_vec3 corner, edge1, edge2; /* of a rectangle */
     int material; /* index into materials; -1: not given: a mesh has the
                    * materials that its file names, any other shape `default` */

@@ -27,6 +27,8 @@ murk_mesh_file murk_mesh_file_at(const murk_scene_desc *scene, size_t i)
         const murk_scene_geometry *g = &scene->geometry[i];
         murk_mesh_file file = file_of(&g->solid, g->where);
         file.import.allow = g->allow;
+        file.import.is_fds = g->is_fds;
+        file.import.fds_time_s = g->time_s;
         return file;
     }
     i -= scene->geometries;

@@ -119,6 +119,8 @@ static murk_mesh *share_mesh(const murk_stage *earlier,
             memcmp(earlier->mesh_sum[i], sum, 2 * sizeof *sum) == 0 &&
             f.import.unit_m == file->import.unit_m &&
             f.import.up == file->import.up &&
+            f.import.is_fds == file->import.is_fds &&
+            f.import.fds_time_s == file->import.fds_time_s &&
             is_same_text(f.import.allow, file->import.allow) &&
             !earlier->mesh[i]->names_others) {
             return murk_mesh_share(earlier->mesh[i]);

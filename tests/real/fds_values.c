@@ -18,6 +18,7 @@ static int print_frame(murk_fds_frames *f, size_t frame, int given,
         free(value);
         return 1;
     }
+    /* One value, or the number of values, smallest, largest and sum. */
     const int32_t *n = f->nodes;
     const size_t row = (size_t)(n[1] - n[0] + 1),
                  sheet = row * (size_t)(n[3] - n[2] + 1);

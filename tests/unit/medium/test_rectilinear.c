@@ -65,6 +65,7 @@ static size_t pack(unsigned char *out, size_t n)
     const uint64_t count = n;
     memcpy(to, &count, sizeof count);
     to += sizeof count;
+    /* Sizes, edges and values, each of all blocks. */
     for (size_t b = 0; b < n; ++b) {
         const murk_rectilinear_size size = {
             .cells = {CELLS[b][0], CELLS[b][1], CELLS[b][2]},
@@ -112,6 +113,7 @@ static double plain_value(const double p[3])
         if (!holds) {
             continue;
         }
+        /* The sum over corners, each weighted by the opposite part. */
         const size_t more = blocks[b].has_nodes ? 1 : 0;
         double sum = 0;
         for (size_t corner = 0; corner < (more ? 8u : 1u); ++corner) {
@@ -157,6 +159,7 @@ static double plain_integral(const double from[3], const double to[3])
             }
         }
     }
+    /* Two points of Gauss in each piece. */
     qsort(cut, n, sizeof *cut, by_size);
     double sum = 0;
     for (size_t i = 0; i + 1 < n; ++i) {

@@ -1,0 +1,178 @@
+/* Broken files of fire simulations: cut off anywhere, with flipped bits and
+ * with hostile words, in the .smv file and in the data. Whatever they are:
+ * values that are sane, or one line of error, within bounded time, and the
+ * program goes on. The files are parsed in this process, so a crash ends the
+ * test. Deterministic. usage: test_fds_input [FILES], 1000 if left out. */
+#include "base/log.h"
+#include "base/progress.h"
+#include "base/rng.h"
+#include "check.h"
+#include "fds/extinction.h"
+#include "fds/walls.h"
+#include "written.h"
+
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#define SLOWEST_S 10.0 /* the project's bound for any bad input */
+#define MAX_KB    2000000L
+
+#define FROM "scenes/fds/"
+
+static const char *const names[] = {"atrium.smv", "atrium_1_1.s3d",
+                                    "atrium_2_1.s3d"};
+#define NAMES (sizeof names / sizeof *names)
+
+typedef struct bytes {
+    unsigned char *at;
+    size_t size;
+} bytes;
+
+static char folder[] = "/tmp/murk-fds-XXXXXX";
+static bytes whole[NAMES];
+
+static void path_of(char *out, size_t size, size_t i)
+{
+    snprintf(out, size, "%s/%s", folder, names[i]);
+}
+
+static bytes load(const char *name)
+{
+    char path[128];
+    snprintf(path, sizeof path, FROM "%s", name);
+    bytes b = {NULL, 0};
+    FILE *from = fopen(path, "rb");
+    CHECK(from != NULL);
+    if (from) {
+        fseek(from, 0, SEEK_END);
+        b.size = (size_t)ftell(from);
+        rewind(from);
+        b.at = malloc(b.size);
+        CHECK(b.at && fread(b.at, 1, b.size, from) == b.size);
+        fclose(from);
+    }
+    return b;
+}
+
+static void check_error(murk_status status, const murk_error *err)
+{
+    CHECK(status == MURK_BAD_FILE || status == MURK_BAD_VALUE ||
+          status == MURK_NO_MEMORY);
+    CHECK(strncmp(err->where, "bad.yaml:1:1", 12) == 0);
+    CHECK(err->text[0] != '\0' && !strchr(err->text, '\n'));
+}
+
+/* Reads the smoke and the walls. True if both are read. */
+static bool survives(void)
+{
+    char path[128];
+    path_of(path, sizeof path, 0);
+    const double start_s = murk_clock_s();
+    const murk_fds_asked asked = {.time_s = 25};
+    murk_fds_field *field = NULL;
+    murk_fds_run *run = NULL;
+    murk_error err = {0};
+    murk_status status =
+        murk_fds_field_read(&field, path, &asked, "bad.yaml:1:1", &err);
+    if (status) {
+        check_error(status, &err);
+        CHECK(field == NULL);
+    }
+    for (size_t b = 0; field && b < field->n; ++b) {
+        const murk_fds_block *block = &field->block[b];
+        const size_t n = (block->cells[0] + 1) * (block->cells[1] + 1) *
+                         (block->cells[2] + 1);
+        bool are_sane = true;
+        for (size_t i = 0; i < n; ++i) {
+            are_sane =
+                are_sane && block->value[i] >= 0 && isfinite(block->value[i]);
+        }
+        CHECK(are_sane);
+    }
+    murk_fds_field_destroy(field);
+    /* The walls. */
+    err = (murk_error){0};
+    const murk_status walls_status =
+        murk_fds_run_read(&run, path, "bad.yaml:1:1", &err);
+    if (walls_status) {
+        check_error(walls_status, &err);
+    } else {
+        murk_fds_walls walls;
+        CHECK(murk_fds_walls_find(&walls, run, 25));
+        free(walls.wall);
+    }
+    murk_fds_run_destroy(run);
+    CHECK(murk_clock_s() - start_s < SLOWEST_S);
+    return !status && !walls_status;
+}
+
+/* Changes one file: cuts it off, flips bits, replaces a word of four bytes, or
+ * a number of a text by another one. */
+static void change(uint32_t i, unsigned char *copy, size_t *size)
+{
+    static const char *const hostile[] = {"-1",   "0",   "99999999999", "1e308",
+                                          "-1e9", "nan", "1048575",     ""};
+    const murk_random4 r = murk_random(11, MURK_TEST, i, 0, 0);
+    uint32_t word[4];
+    murk_random_words(11, MURK_TEST, i, 1, 0, word);
+    const size_t at = murk_random_below(word[0], (uint32_t)*size);
+    /* One of four kinds of change. */
+    if (r.u[0] < 0.2) {
+        *size = at;
+    } else if (r.u[0] < 0.6) {
+        for (uint32_t k = 0; k <= i % 8; ++k) {
+            murk_random_words(11, MURK_TEST, i, 2 + k, 0, word);
+            copy[murk_random_below(word[0], (uint32_t)*size)] ^=
+                (unsigned char)(1u << (word[1] & 7));
+        }
+    } else if (r.u[0] < 0.8 && at + 4 <= *size) {
+        const uint32_t worst[] = {0xffffffff, 0x7fffffff, 0x80000000, 0x100000};
+        memcpy(copy + at, &worst[word[1] & 3], 4);
+    } else {
+        const char *text = hostile[word[1] & 7];
+        const size_t n = strlen(text);
+        if (at + n <= *size) {
+            memcpy(copy + at, text, n);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const uint32_t files = argc > 1 ? (uint32_t)atol(argv[1]) : 1000;
+    char path[128];
+    CHECK(mkdtemp(folder) != NULL);
+    for (size_t i = 0; i < NAMES; ++i) {
+        whole[i] = load(names[i]);
+        path_of(path, sizeof path, i);
+        write_bytes(path, whole[i].at, whole[i].size);
+    }
+    CHECK(survives());
+    uint32_t refused = 0;
+    for (uint32_t i = 0; i < files; ++i) {
+        /* Two thirds of the changes are in the .smv file. */
+        const size_t which = i % 6 < 4 ? 0 : i % 6 - 3;
+        size_t size = whole[which].size;
+        unsigned char *copy = malloc(size);
+        CHECK(copy != NULL);
+        memcpy(copy, whole[which].at, size);
+        change(i, copy, &size);
+        path_of(path, sizeof path, which);
+        write_bytes(path, copy, size);
+        refused += !survives();
+        write_bytes(path, whole[which].at, whole[which].size);
+        free(copy);
+    }
+    CHECK(refused > files / 4);
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    CHECK(usage.ru_maxrss < MAX_KB);
+    for (size_t i = 0; i < NAMES; ++i) {
+        path_of(path, sizeof path, i);
+        unlink(path);
+        free(whole[i].at);
+    }
+    rmdir(folder);
+    return check_done();
+}
