@@ -18,19 +18,19 @@ static size_t stem_of(const char *name, const char *ending)
 
 typedef struct list {
     char **name;
-    size_t n, room;
+    size_t n, capacity;
 } list;
 
 static bool append(list *to, const char *name)
 {
-    if (to->n == to->room) {
-        const size_t more = to->room ? 2 * to->room : 64;
+    if (to->n == to->capacity) {
+        const size_t more = to->capacity ? 2 * to->capacity : 64;
         char **larger = realloc(to->name, more * sizeof *larger);
         if (!larger) {
             return false;
         }
         to->name = larger;
-        to->room = more;
+        to->capacity = more;
     }
     to->name[to->n] = strdup(name);
     return to->name[to->n++] != NULL;

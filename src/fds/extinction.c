@@ -9,9 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BYTE_MAX_VALUE  254.0 /* the byte of an opaque cell */
-#define BYTE_AT_LEAST   253.5 /* the least that rounds to it */
-#define VISIBILITY_C    3.0
+#define BYTE_MAX_VALUE  254.0  /* the byte of an opaque cell */
+#define BYTE_AT_LEAST   253.5  /* the least that rounds to it */
+#define VISIBILITY_C    3.0    /* fds/extinction.h */
 #define MASS_EXTINCTION 8700.0 /* [m2/kg] */
 
 /* A time this close to that of a frame is the time of the frame, as a share of

@@ -10,9 +10,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define LABEL_BYTES 30
-#define FRAMES_MAX  10000000
-#define VALUES_MAX  ((uint64_t)1 << 31)
+#define LABEL_BYTES 30                  /* dump.f90 */
+#define FRAMES_MAX  10000000            /* a choice: more than runs have */
+#define VALUES_MAX  ((uint64_t)1 << 31) /* a choice: 8 GB */
 
 static murk_status bad(const murk_fds_frames *f, const char *problem,
                        murk_error *err)
@@ -130,11 +130,11 @@ static bool skip_frame(murk_fds_frames *f, uint64_t file_bytes)
     return skip_record(f, file_bytes, &size) && size == 4 * f->values;
 }
 
-static bool add_frame(murk_fds_frames *f, size_t *room, float time_s,
+static bool add_frame(murk_fds_frames *f, size_t *capacity, float time_s,
                       int64_t offset)
 {
-    if (f->n == *room) {
-        const size_t more = *room ? 2 * *room : 64;
+    if (f->n == *capacity) {
+        const size_t more = *capacity ? 2 * *capacity : 64;
         float *times = realloc(f->time_s, more * sizeof *times);
         f->time_s = times ? times : f->time_s;
         int64_t *offsets = realloc(f->offset, more * sizeof *offsets);
@@ -142,7 +142,7 @@ static bool add_frame(murk_fds_frames *f, size_t *room, float time_s,
         if (!times || !offsets) {
             return false;
         }
-        *room = more;
+        *capacity = more;
     }
     f->time_s[f->n] = time_s;
     f->offset[f->n++] = offset;
@@ -155,7 +155,7 @@ static bool add_frame(murk_fds_frames *f, size_t *room, float time_s,
 static murk_status find_frames(murk_fds_frames *f, uint64_t file_bytes,
                                murk_error *err)
 {
-    size_t room = 0;
+    size_t capacity = 0;
     float time_s;
     while (f->n < FRAMES_MAX && read_words(f, &time_s, 1)) {
         const off_t at = ftello(f->file);
@@ -166,7 +166,7 @@ static murk_status find_frames(murk_fds_frames *f, uint64_t file_bytes,
             return bad(f, "has a frame that is not later than the one before",
                        err);
         }
-        if (!add_frame(f, &room, time_s, at)) {
+        if (!add_frame(f, &capacity, time_s, at)) {
             return murk_no_memory(err, f->where, "for its frames");
         }
     }

@@ -22,7 +22,7 @@ typedef struct reader {
     bool is_indented; /* the line begins with white space */
     unsigned line;
     murk_fds_run *run;
-    size_t room_meshes, room_surfaces, room_events, room_files;
+    size_t capacity_meshes, capacity_surfaces, capacity_events, capacity_files;
     const char *where;
     murk_error *err;
 } reader;
@@ -137,14 +137,14 @@ static murk_status need_name(reader *r, char *out, size_t size)
 /* Makes room for one more item of an array of n items of `item` bytes, which
  * may move. Returns the array; NULL without memory, then the array stays as it
  * is. */
-static void *with_room(void *array, size_t n, size_t *room, size_t item)
+static void *with_capacity(void *array, size_t n, size_t *capacity, size_t item)
 {
-    if (array && n < *room) {
+    if (array && n < *capacity) {
         return array;
     }
-    const size_t more = *room ? 2 * *room : 16;
+    const size_t more = *capacity ? 2 * *capacity : 16;
     void *larger = realloc(array, more * item);
-    *room = larger ? more : *room;
+    *capacity = larger ? more : *capacity;
     return larger;
 }
 
@@ -159,7 +159,7 @@ static murk_status read_grid(reader *r, const char *name)
         return bad(r, "too many meshes", NULL);
     }
     murk_fds_mesh *all =
-        with_room(run->mesh, run->meshes, &r->room_meshes, sizeof *all);
+        with_capacity(run->mesh, run->meshes, &r->capacity_meshes, sizeof *all);
     if (!all) {
         return murk_no_memory(r->err, r->where, "for its meshes");
     }
@@ -319,8 +319,8 @@ static murk_status read_vents(reader *r)
 static murk_status read_surface(reader *r)
 {
     murk_fds_run *run = r->run;
-    char(*all)[MURK_FDS_NAME_SIZE] =
-        with_room(run->surface, run->surfaces, &r->room_surfaces, sizeof *all);
+    char(*all)[MURK_FDS_NAME_SIZE] = with_capacity(
+        run->surface, run->surfaces, &r->capacity_surfaces, sizeof *all);
     if (!all) {
         return murk_no_memory(r->err, r->where, "for its surfaces");
     }
@@ -350,8 +350,8 @@ static murk_status read_event(reader *r, const char *rest, bool is_vent,
     if (status) {
         return status;
     }
-    murk_fds_event *all =
-        with_room(run->event, run->events, &r->room_events, sizeof *all);
+    murk_fds_event *all = with_capacity(run->event, run->events,
+                                        &r->capacity_events, sizeof *all);
     if (!all) {
         return murk_no_memory(r->err, r->where, "for its events");
     }
@@ -411,7 +411,7 @@ static murk_status read_data(reader *r, const char *rest, murk_fds_kind kind)
         return status;
     }
     murk_fds_data *all =
-        with_room(run->data, run->files, &r->room_files, sizeof *all);
+        with_capacity(run->data, run->files, &r->capacity_files, sizeof *all);
     if (!all) {
         return murk_no_memory(r->err, r->where, "for its list of files");
     }

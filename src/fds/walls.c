@@ -9,7 +9,7 @@
 
 #define GAS     0 /* no obstruction */
 #define OUTSIDE UINT32_MAX
-#define NO_WALL 0
+#define NO_WALL 0 /* light passes a face */
 
 /* A point this share of a cell beyond a face lies in the cell beyond. */
 #define BEYOND 1e-3
@@ -21,7 +21,7 @@ typedef struct finder {
                             * obstruction in a cell, from 1 on, or GAS */
     unsigned char **state; /* [meshes]: states_of() */
     murk_fds_walls *out;
-    size_t room;
+    size_t capacity;
 } finder;
 
 /* ---- items at a time ---- */
@@ -253,14 +253,14 @@ static bool add_wall(finder *f, const plane *p, const size_t low[2],
                      const size_t high[2], uint32_t surface)
 {
     murk_fds_walls *out = f->out;
-    if (out->n == f->room) {
-        const size_t more = f->room ? 2 * f->room : 256;
+    if (out->n == f->capacity) {
+        const size_t more = f->capacity ? 2 * f->capacity : 256;
         murk_fds_wall *larger = realloc(out->wall, more * sizeof *larger);
         if (!larger) {
             return false;
         }
         out->wall = larger;
-        f->room = more;
+        f->capacity = more;
     }
     const murk_fds_mesh *mesh = &f->run->mesh[p->mesh];
     murk_fds_wall *wall = &out->wall[out->n++];

@@ -68,8 +68,8 @@ static void measure(double area[SURFACES], double time_s)
     murk_fds_run_destroy(run);
 }
 
-/* Both meshes together are a room of 8 x 4 x 4 m. */
-static void test_empty_room(void)
+/* Both meshes together are a hall of 8 x 4 x 4 m. */
+static void test_empty_hall(void)
 {
     double area[SURFACES];
     write_run(" 0", " 0 0", " 0", "");
@@ -179,7 +179,7 @@ int main(void)
     const int file = mkstemp(path);
     CHECK(file >= 0);
     close(file);
-    test_empty_room();
+    test_empty_hall();
     test_blocks();
     test_plates();
     test_events();

@@ -245,7 +245,7 @@ static const refusal REFUSALS[] = {
      "albedos: only densities are interpolated in time"},
     {"media:\n  a: {frame: 3, extinction_per_m: 1, albedo: 1}\n", VALUE,
      "fog.yaml:3:7: media.a.frame",
-     "not a key of a medium (homogeneous), must be one of vdb, profile, "
+     "not a key of a medium (homogeneous), must be one of vdb, fds, profile, "
      "extinction_per_m, albedo, phase"},
     /* regions */
     {"regions:\n  - {medium: fog}\n", VALUE, "fog.yaml:3:14: regions.0.medium",
