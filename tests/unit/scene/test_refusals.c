@@ -109,7 +109,7 @@ static const refusal REFUSALS[] = {
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, grid: a}\n", VALUE,
      "fog.yaml:3:41: media.fog.grid",
      "not a key of a medium (homogeneous), must be one of vdb, "
-     "profile, extinction_per_m, albedo, phase"},
+     "fds, profile, extinction_per_m, albedo, phase"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, "
      "0]}}\n",
      VALUE, "fog.yaml:3:49: media.fog.phase.two_hg",
