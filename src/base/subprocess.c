@@ -16,6 +16,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -395,10 +396,11 @@ static murk_status start(unsigned char **out, size_t *size,
     murk_parcel_put_text(&request, job->name);
     murk_parcel_put(&request, limits, sizeof *limits);
     job->pack(&request, context);
+    const char *program = job->program ? job->program : MURK_PROGRAM_READER;
     const murk_status status =
-        request.is_short ? murk_no_memory(err, where, "for its reader")
-                         : murk_program_start(&pid, &fd, MURK_PROGRAM_READER,
-                                              &request, where, err);
+        request.is_short
+            ? murk_no_memory(err, where, "for its reader")
+            : murk_program_start(&pid, &fd, program, &request, where, err);
     murk_parcel_release(&request);
     return status ? status
                   : take_result(fd, pid, out, size, limits, where, err);
@@ -428,6 +430,12 @@ murk_status murk_subprocess_do(unsigned char **out, size_t *size,
                                const murk_subprocess_limits *limits,
                                const char *where, murk_error *err)
 {
+    char path[PATH_MAX];
+    if (job->program) {
+        return murk_program_find(path, job->program, where, NULL)
+                   ? murk_fail(err, MURK_UNSUPPORTED, where, "%s", job->needs)
+                   : start(out, size, job, context, limits, where, err);
+    }
     switch (murk_host_now()->importing) {
     case MURK_IMPORT_STARTS:
         return start(out, size, job, context, limits, where, err);

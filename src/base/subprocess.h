@@ -37,6 +37,10 @@ typedef struct murk_subprocess_job {
     void (*pack)(murk_parcel *to, const void *context);
     murk_status (*work_packed)(murk_subprocess *process, murk_parcel *from,
                                murk_error *err);
+    /* A program beside murk-reader that does this work alone, whatever the host
+     * chooses, because it is linked with libraries that murk does not need; and
+     * the text of the failure if it is not there. NULL: the host chooses. */
+    const char *program, *needs;
 } murk_subprocess_job;
 
 typedef struct murk_subprocess_limits {
@@ -56,7 +60,7 @@ murk_subprocess_limits murk_subprocess_limits_for(uint64_t file_bytes);
 /* Does the work in the process that the host chooses. The limits do not hold
  * in the calling process. *out, *size and failures are those of
  * murk_subprocess_run(); fails with MURK_RUN_FAILED if murk-reader cannot be
- * started. */
+ * started, and with MURK_UNSUPPORTED if a program of the job is not there. */
 murk_status murk_subprocess_do(unsigned char **out, size_t *size,
                                const murk_subprocess_job *job, void *context,
                                const murk_subprocess_limits *limits,

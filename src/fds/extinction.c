@@ -281,7 +281,7 @@ static murk_status read_values(reading *r, murk_fds_frames *f, double cell_m,
 
 /* Sets the edges of a block: the grid lines that the data file spans. */
 static murk_status take_edges(const reading *r, const murk_fds_mesh *mesh,
-                              const murk_fds_frames *f, murk_fds_block *block)
+                              const murk_fds_frames *f, murk_field_block *block)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const size_t low = (size_t)f->nodes[2 * axis],
@@ -305,7 +305,8 @@ static murk_status take_edges(const reading *r, const murk_fds_mesh *mesh,
 }
 
 /* Reads the block of a mesh. */
-static murk_status read_block(reading *r, size_t number, murk_fds_block *block)
+static murk_status read_block(reading *r, size_t number,
+                              murk_field_block *block)
 {
     const murk_fds_mesh *mesh = &r->run->mesh[number];
     const murk_fds_data *data = find_data(r, number);
@@ -339,7 +340,7 @@ static murk_status read_block(reading *r, size_t number, murk_fds_block *block)
 }
 
 /* True if two meshes overlap along an axis by more than rounding. */
-static bool do_overlap(const murk_fds_block *a, const murk_fds_block *b,
+static bool do_overlap(const murk_field_block *a, const murk_field_block *b,
                        int axis)
 {
     const double *p = a->edge[axis], *q = b->edge[axis];
@@ -461,12 +462,6 @@ void murk_fds_field_destroy(murk_fds_field *field)
     if (!field) {
         return;
     }
-    for (size_t i = 0; field->block && i < field->n; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            free(field->block[i].edge[axis]);
-        }
-        free(field->block[i].value);
-    }
-    free(field->block);
+    murk_field_blocks_destroy(field->block, field->n);
     free(field);
 }

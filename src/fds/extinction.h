@@ -22,6 +22,7 @@
 #ifndef MURK_FDS_EXTINCTION_H
 #define MURK_FDS_EXTINCTION_H
 
+#include "base/field_blocks.h"
 #include "fds/run.h"
 
 typedef enum murk_fds_quantity {
@@ -40,16 +41,9 @@ typedef struct murk_fds_asked {
     double time_s; /* between two frames: their mean, weighted by time */
 } murk_fds_asked;
 
-typedef struct murk_fds_block {
-    size_t cells[3];
-    double *edge[3]; /* [cells + 1] [m] */
-    float *value;    /* K [1/m] of nodes or cells, x fastest */
-    bool has_nodes;
-} murk_fds_block;
-
 typedef struct murk_fds_field {
     size_t n;
-    murk_fds_block *block; /* [n], without overlap */
+    murk_field_block *block; /* [n], without overlap; K [1/m] */
     murk_fds_quantity quantity;
     bool is_rounded;     /* from bytes of .s3d files */
     double frame_s[2];   /* times of the frames before and after time_s */

@@ -84,5 +84,7 @@ static murk_status work_packed(murk_subprocess *subprocess, murk_parcel *from,
     return status ? status : import_walls(subprocess, &request, err);
 }
 
-const murk_subprocess_job murk_import_fds_job = {"fds walls", import_walls,
-                                                 murk_import_pack, work_packed};
+const murk_subprocess_job murk_import_fds_job = {.name = "fds walls",
+                                                 .work = import_walls,
+                                                 .pack = murk_import_pack,
+                                                 .work_packed = work_packed};

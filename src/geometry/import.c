@@ -458,5 +458,7 @@ static murk_status work_packed(murk_subprocess *subprocess, murk_parcel *from,
     return status ? status : murk_import_work(subprocess, &request, err);
 }
 
-const murk_subprocess_job murk_import_job = {"mesh", murk_import_work,
-                                             murk_import_pack, work_packed};
+const murk_subprocess_job murk_import_job = {.name = "mesh",
+                                             .work = murk_import_work,
+                                             .pack = murk_import_pack,
+                                             .work_packed = work_packed};

@@ -133,8 +133,10 @@ static murk_status read_packed(murk_subprocess *subprocess, murk_parcel *from,
     return read_in_subprocess(subprocess, &j, err);
 }
 
-const murk_subprocess_job murk_grid_read_job = {"grid", read_in_subprocess,
-                                                pack_file, read_packed};
+const murk_subprocess_job murk_grid_read_job = {.name = "grid",
+                                                .work = read_in_subprocess,
+                                                .pack = pack_file,
+                                                .work_packed = read_packed};
 
 static void pack_samples(murk_parcel *to, const void *context)
 {
@@ -164,8 +166,10 @@ static murk_status make_packed(murk_subprocess *subprocess, murk_parcel *from,
     return make_in_subprocess(subprocess, &j, err);
 }
 
-const murk_subprocess_job murk_grid_make_job = {"samples", make_in_subprocess,
-                                                pack_samples, make_packed};
+const murk_subprocess_job murk_grid_make_job = {.name = "samples",
+                                                .work = make_in_subprocess,
+                                                .pack = pack_samples,
+                                                .work_packed = make_packed};
 
 /* ---- the answer ---- */
 
@@ -227,6 +231,12 @@ static void warn_of_cleared(const char *where, const char *grid,
     }
 }
 
+static murk_status malformed(const char *where, murk_error *err)
+{
+    return murk_fail(err, MURK_BAD_FILE, where,
+                     "malformed: its reader handed over nothing");
+}
+
 /* Builds the grid from the bytes that send_grid() sent. */
 static murk_status build_received(murk_grid **out, const unsigned char *sent,
                                   size_t size, const job *j, murk_error *err)
@@ -235,8 +245,7 @@ static murk_status build_received(murk_grid **out, const unsigned char *sent,
     /* The header first. */
     murk_vdb_facts facts;
     if (size < sizeof facts) {
-        return murk_fail(err, MURK_BAD_FILE, where,
-                         "malformed: its reader handed over nothing");
+        return malformed(where, err);
     }
     memcpy(&facts, sent, sizeof facts);
     murk_grid *grid = calloc(1, sizeof *grid);
@@ -505,28 +514,15 @@ const murk_rectilinear *murk_grid_rectilinear(const murk_grid *grid)
     return grid->field.n ? &grid->field : NULL;
 }
 
-murk_status murk_grid_from_field(murk_grid **out, const unsigned char *packed,
-                                 size_t size, const char *name,
-                                 const char *note, const char *where,
-                                 murk_error *err)
+static void describe_field(murk_grid *grid, const murk_field_head *head,
+                           size_t size)
 {
-    murk_grid *grid = calloc(1, sizeof *grid);
-    if (!grid) {
-        return murk_no_memory(err, where, "for a grid");
-    }
-    murk_rectilinear *field = &grid->field;
-    murk_status status = copy_buffer(grid, packed, size, where, err);
-    if (!status) {
-        status = murk_rectilinear_open(field, grid->buffer, size, where, err);
-    }
-    if (status) {
-        murk_grid_destroy(grid);
-        return status;
-    }
-    /* Describe the field. */
+    const murk_rectilinear *field = &grid->field;
     murk_grid_facts *facts = &grid->facts;
-    snprintf(facts->name, sizeof facts->name, "%s", name);
-    snprintf(facts->note, sizeof facts->note, "%s", note);
+    snprintf(facts->name, sizeof facts->name, "%.*s",
+             (int)sizeof head->name - 1, head->name);
+    snprintf(facts->note, sizeof facts->note, "%.*s",
+             (int)sizeof head->note - 1, head->note);
     facts->active = field->n_values;
     facts->minimum = field->minimum;
     facts->maximum = field->maximum;
@@ -539,8 +535,63 @@ murk_status murk_grid_from_field(murk_grid **out, const unsigned char *packed,
     }
     facts->box = field->box;
     murk_checksum(grid->buffer, size, facts->checksum);
+}
+
+murk_status murk_grid_from_field(murk_grid **out, const unsigned char *packed,
+                                 size_t size, const char *where,
+                                 murk_error *err)
+{
+    murk_field_head head;
+    if (size < sizeof head) {
+        return malformed(where, err);
+    }
+    memcpy(&head, packed, sizeof head);
+    murk_grid *grid = calloc(1, sizeof *grid);
+    if (!grid) {
+        return murk_no_memory(err, where, "for a grid");
+    }
+    size -= sizeof head;
+    murk_status status =
+        copy_buffer(grid, packed + sizeof head, size, where, err);
+    if (!status) {
+        status =
+            murk_rectilinear_open(&grid->field, grid->buffer, size, where, err);
+    }
+    if (status) {
+        murk_grid_destroy(grid);
+        return status;
+    }
+    describe_field(grid, &head, size);
+    if (head.warning[0]) {
+        murk_warn(where, "%.*s", (int)sizeof head.warning - 1, head.warning);
+    }
+    if (grid->facts.maximum == 0) {
+        murk_warn(where,
+                  "%s is 0 everywhere: there is nothing in the way of "
+                  "light",
+                  grid->facts.name);
+    }
     *out = grid;
     return MURK_OK;
+}
+
+murk_status murk_grid_read_field(murk_grid **out,
+                                 const murk_subprocess_job *kind, void *context,
+                                 const char *path, const char *where,
+                                 murk_error *err)
+{
+    struct stat facts;
+    const murk_subprocess_limits limits = murk_subprocess_limits_for(
+        stat(path, &facts) == 0 ? (uint64_t)facts.st_size : 0);
+    unsigned char *sent = NULL;
+    size_t size = 0;
+    murk_status status =
+        murk_subprocess_do(&sent, &size, kind, context, &limits, where, err);
+    if (!status) {
+        status = murk_grid_from_field(out, sent, size, where, err);
+    }
+    free(sent);
+    return status;
 }
 
 double murk_grid_value(const murk_grid *grid, int64_t i, int64_t j, int64_t k)

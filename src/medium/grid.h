@@ -17,6 +17,7 @@
 #include "base/status.h"
 #include "base/vector.h"
 #include "fds/extinction.h"
+#include "medium/netcdf_request.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -93,6 +94,16 @@ murk_status murk_grid_read_albedo(murk_grid **out, const char *path,
 murk_status murk_grid_read_fds(murk_grid **out, const char *path,
                                const murk_fds_asked *asked, const char *where,
                                murk_error *err);
+
+/* Reads the extinction coefficients [1/m] of a NetCDF file at one time as a
+ * rectilinear grid. The values follow from liquid water content L and effective
+ * radius r of droplets, 3 L / (2 r) in units of water (extinction efficiency 2;
+ * Stephens, J. Atmos. Sci. 35 (1978) 2123), or from any variable by a factor.
+ * Fails with MURK_UNSUPPORTED if the program murk-netcdf is not installed, and
+ * otherwise as murk_subprocess_do(). */
+murk_status murk_grid_read_netcdf(murk_grid **out, const char *path,
+                                  const murk_netcdf_asked *asked,
+                                  const char *where, murk_error *err);
 
 /* Makes a grid of dense samples, x fastest: size[0] * size[1] * size[2] values,
  * starting with voxel (0,0,0). Voxels of value 0 are not stored. Fails at

@@ -3,6 +3,7 @@
 #define MURK_MEDIUM_GRID_INTERNAL_H
 
 #include "base/status.h"
+#include "base/subprocess.h"
 #include "base/vector.h"
 #include "medium/rectilinear.h"
 #include "medium/tree.h"
@@ -18,12 +19,19 @@ const murk_tree *murk_grid_tree(const struct murk_grid *grid);
 /* The field of a rectilinear grid; NULL for a grid of voxels. */
 const murk_rectilinear *murk_grid_rectilinear(const struct murk_grid *grid);
 
-/* Makes a grid of a packed field (medium/rectilinear.h), which is copied. Fails
- * as murk_rectilinear_open() does. */
+/* Makes a grid of a packed field with its head (base/field_blocks.h), and warns
+ * as the head says, and if all values are 0. Fails as murk_rectilinear_open()
+ * does. */
 murk_status murk_grid_from_field(struct murk_grid **out,
                                  const unsigned char *packed, size_t size,
-                                 const char *name, const char *note,
                                  const char *where, murk_error *err);
+
+/* Does a job of murk_subprocess_do() that answers with a packed field, and
+ * makes a grid of it. The limits are those of the file `path`. */
+murk_status murk_grid_read_field(struct murk_grid **out,
+                                 const murk_subprocess_job *kind, void *context,
+                                 const char *path, const char *where,
+                                 murk_error *err);
 
 /* 2^31 voxels are 8 GB of floats; indices in a grid have 32 bits. */
 #define MURK_VOXELS_MAX ((size_t)1 << 31)

@@ -182,8 +182,10 @@ static murk_status write_packed(murk_subprocess *subprocess, murk_parcel *from,
     return status;
 }
 
-const murk_subprocess_job murk_grid_write_job = {"write", write_in_subprocess,
-                                                 pack, write_packed};
+const murk_subprocess_job murk_grid_write_job = {.name = "write",
+                                                 .work = write_in_subprocess,
+                                                 .pack = pack,
+                                                 .work_packed = write_packed};
 
 /* Position of the identifier in an OpenVDB file: behind 8 bytes of magic,
  * three 32-bit versions (file, library major and minor) and one byte that

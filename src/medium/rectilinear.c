@@ -15,13 +15,6 @@
 /* Cells along an edge of the boxes in which differences are listed. */
 #define CHANGED_EDGE 8
 
-uint64_t murk_rectilinear_values(const murk_rectilinear_size *size)
-{
-    const uint64_t more = size->has_nodes ? 1 : 0;
-    return (size->cells[0] + more) * (size->cells[1] + more) *
-           (size->cells[2] + more);
-}
-
 /* ---- opening ---- */
 
 static murk_status malformed(const char *where, murk_error *err)
@@ -32,7 +25,7 @@ static murk_status malformed(const char *where, murk_error *err)
 
 /* True if the size of a block is in range. Fewer than 2^20 cells along each
  * axis keep all products in range. */
-static bool is_size(const murk_rectilinear_size *size)
+static bool is_size(const murk_field_size *size)
 {
     const uint64_t longest = UINT64_C(1) << 20;
     bool is_good = size->has_nodes <= 1;
@@ -45,8 +38,7 @@ static bool is_size(const murk_rectilinear_size *size)
 
 /* Sets the pointers of all blocks; false if the bytes are too few or too
  * many. */
-static bool find_parts(murk_rectilinear *field,
-                       const murk_rectilinear_size *size,
+static bool find_parts(murk_rectilinear *field, const murk_field_size *size,
                        const unsigned char *parts, uint64_t left)
 {
     for (size_t i = 0; i < field->n; ++i) {
@@ -68,7 +60,7 @@ static bool find_parts(murk_rectilinear *field,
     }
     /* The values of all blocks. */
     for (size_t i = 0; i < field->n; ++i) {
-        const uint64_t values = murk_rectilinear_values(&size[i]);
+        const uint64_t values = murk_field_values(&size[i]);
         if (values > left / sizeof(float)) {
             return false;
         }
@@ -155,7 +147,7 @@ murk_status murk_rectilinear_open(murk_rectilinear *out,
         memcpy(&n, bytes, sizeof n);
     }
     if (n == 0 || n > MURK_RECTILINEAR_BLOCKS_MAX ||
-        size - sizeof n < n * sizeof(murk_rectilinear_size)) {
+        size - sizeof n < n * sizeof(murk_field_size)) {
         return malformed(where, err);
     }
     murk_rectilinear field = {
@@ -168,7 +160,7 @@ murk_status murk_rectilinear_open(murk_rectilinear *out,
         return murk_no_memory(err, where, "for %zu blocks of a grid", field.n);
     }
     /* The parts of the blocks, then their edges and values. */
-    const size_t sizes = n * sizeof(murk_rectilinear_size);
+    const size_t sizes = n * sizeof(murk_field_size);
     const unsigned char *first = bytes + sizeof n;
     bool is_good = find_parts(&field, (const void *)first, first + sizes,
                               size - sizeof n - sizes);

@@ -17,6 +17,7 @@
 #define MURK_MEDIUM_RECTILINEAR_H
 
 #include "base/box_list.h"
+#include "base/field_blocks.h"
 #include "base/status.h"
 #include "base/vector.h"
 #include "medium/cubic.h"
@@ -46,21 +47,10 @@ typedef struct murk_rectilinear {
     double minimum, maximum, sum; /* of all values */
 } murk_rectilinear;
 
-/* One block as it is packed: the numbers that come first. */
-typedef struct murk_rectilinear_size {
-    uint64_t cells[3];
-    uint64_t has_nodes; /* 0 or 1 */
-} murk_rectilinear_size;
-
-/* The number of values of a block. */
-uint64_t murk_rectilinear_values(const murk_rectilinear_size *size);
-
-/* Opens a packed field: a uint64_t with the number of blocks, a
- * murk_rectilinear_size of each, then the edges of all blocks (x, y, z of each
- * block), then the values of all blocks. `bytes` is borrowed, aligned to 8
- * bytes. Fails at `where` with MURK_BAD_FILE if the bytes do not describe a
- * field or blocks overlap, or with MURK_NO_MEMORY; nothing is to be closed
- * then. */
+/* Opens a packed field without the head (base/field_blocks.h). `bytes` is
+ * borrowed, aligned to 8 bytes. Fails at `where` with MURK_BAD_FILE if the
+ * bytes do not describe a field or blocks overlap, or with MURK_NO_MEMORY;
+ * nothing is to be closed then. */
 murk_status murk_rectilinear_open(murk_rectilinear *out,
                                   const unsigned char *bytes, size_t size,
                                   const char *where, murk_error *err);

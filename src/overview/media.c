@@ -137,7 +137,7 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage)
         /* Coefficients: a profile, a spectrum or grids. */
         if (m->profile_z_m.n > 0) {
             add_profile(item, m, scene->origin.z, scene->bands);
-        } else if (!m->fds) {
+        } else if (!m->fds && !m->netcdf) {
             murk_json_numbers(item, "extinction_per_m",
                               m->extinction_per_m.band, scene->bands);
         }
@@ -235,9 +235,9 @@ static void print_medium(const murk_stage *stage, size_t medium)
             m->profile_z_m.value[0] + scene->origin.z,
             m->profile_z_m.value[m->profile_z_m.n - 1] + scene->origin.z,
             profile_maximum(m).band[0]);
-    } else if (m->fds) {
+    } else if (m->fds || m->netcdf) {
         murk_print("medium      %s: extinction of %s", m->name,
-                   murk_path_name(m->fds));
+                   murk_path_name(m->fds ? m->fds : m->netcdf));
     } else {
         murk_print("medium      %s: extinction %.6g /m", m->name,
                    m->extinction_per_m.band[0]);
@@ -253,11 +253,14 @@ static void print_medium(const murk_stage *stage, size_t medium)
     const murk_grid_facts *facts = grid ? murk_grid_describe(grid) : NULL;
     if (facts && facts->blocks > 0) {
         murk_print(
-            "; %s: %llu values %s %zu mesh%s, cells from %.4g m, "
+            "; %s: %llu values %s %zu %s%s, cells from %.4g m, "
             "extinction %.4g..%.4g /m; %s",
             facts->name, (unsigned long long)facts->active,
             facts->has_nodes ? "at nodes of" : "of cells of", facts->blocks,
-            facts->blocks == 1 ? "" : "es",
+            m->fds ? "mesh" : "block",
+            facts->blocks == 1 ? ""
+            : m->fds           ? "es"
+                               : "s",
             fmin(fmin(facts->voxel_m[0], facts->voxel_m[1]), facts->voxel_m[2]),
             facts->minimum, facts->maximum, facts->note);
     } else if (facts) {

@@ -18,7 +18,9 @@ enum {
     MEDIUM_PRESET,
     MEDIUM_PRESET_GRID,
     MEDIUM_FDS,
-    MEDIUM_PRESET_FDS
+    MEDIUM_PRESET_FDS,
+    MEDIUM_NETCDF,
+    MEDIUM_PRESET_NETCDF
 };
 
 static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
@@ -26,14 +28,16 @@ static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
 {
     (void)walk;
     if (murk_yaml_get(map, "preset")) {
-        *variant = murk_yaml_get(map, "vdb")   ? MEDIUM_PRESET_GRID
-                   : murk_yaml_get(map, "fds") ? MEDIUM_PRESET_FDS
-                                               : MEDIUM_PRESET;
+        *variant = murk_yaml_get(map, "vdb")      ? MEDIUM_PRESET_GRID
+                   : murk_yaml_get(map, "fds")    ? MEDIUM_PRESET_FDS
+                   : murk_yaml_get(map, "netcdf") ? MEDIUM_PRESET_NETCDF
+                                                  : MEDIUM_PRESET;
         return MURK_OK;
     }
     *variant = murk_yaml_get(map, "vdb")       ? MEDIUM_GRID
                : murk_yaml_get(map, "profile") ? MEDIUM_PROFILE
                : murk_yaml_get(map, "fds")     ? MEDIUM_FDS
+               : murk_yaml_get(map, "netcdf")  ? MEDIUM_NETCDF
                                                : MEDIUM_HOMOGENEOUS;
     return MURK_OK;
 }
@@ -204,18 +208,22 @@ static const char *const MEDIUM_VARIANTS[] = {
     "preset in a grid",
     "smoke of an FDS run",
     "preset in the smoke of an FDS run",
+    "NetCDF file",
+    "preset in a NetCDF file",
     NULL};
 
 const murk_word murk_phase_words[] = {
     {"isotropic", MURK_PHASE_HG}, {"rayleigh", MURK_PHASE_RAYLEIGH}, WORDS_END};
 
-#define GRIDS BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
-#define FDS   BIT(MEDIUM_FDS) | BIT(MEDIUM_PRESET_FDS)
-#define PRESETS \
-    BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID) | BIT(MEDIUM_PRESET_FDS)
+#define GRIDS  BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
+#define FDS    BIT(MEDIUM_FDS) | BIT(MEDIUM_PRESET_FDS)
+#define NETCDF BIT(MEDIUM_NETCDF) | BIT(MEDIUM_PRESET_NETCDF)
+#define PRESETS                                                             \
+    BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID) | BIT(MEDIUM_PRESET_FDS) | \
+        BIT(MEDIUM_PRESET_NETCDF)
 #define PLAIN                                                          \
     BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID) | BIT(MEDIUM_PROFILE) | \
-        BIT(MEDIUM_FDS)
+        BIT(MEDIUM_FDS) | BIT(MEDIUM_NETCDF)
 
 /* A word of presets (preset/words.h); each preset states its own range. */
 #define WORD_ROW(name, id, ...)                 \
@@ -253,7 +261,7 @@ static const murk_key MEDIUM_ROWS[] = {
         .selects_files = true, MEDIUM(frame),
         FLAG(murk_scene_medium, has_frame)),
     ROW("grid", TEXT, .variants = GRIDS, MEDIUM(grid)),
-    ROW("interpolation", WORD, .variants = GRIDS, .preset = "nearest",
+    ROW("interpolation", WORD, .variants = GRIDS | NETCDF, .preset = "nearest",
         WORDS({"nearest", 0}, {"linear", 1}), MEDIUM(is_linear)),
     ROW("fds", PATH, .group = 1, MEDIUM(fds)),
     ROW("quantity", WORD, .variants = FDS, .preset = "soot density",
@@ -264,8 +272,18 @@ static const murk_key MEDIUM_ROWS[] = {
     ROW("mesh", NUMBER_LIST, .variants = FDS, .min = 1,
         .max = MURK_FDS_MESHES_MAX, .preset = "all", WORDS({"all", 0}),
         MEDIUM(fds_mesh)),
+    ROW("netcdf", PATH, .group = 1, MEDIUM(netcdf)),
+    ROW("liquid_water", TEXT, .variants = NETCDF, MEDIUM(liquid_water)),
+    ROW("effective_radius", TEXT, .variants = NETCDF, MEDIUM(effective_radius)),
+    ROW("effective_radius_um", NUMBER, .variants = NETCDF, .above = true,
+        .max = 1e6, .unit = "um", MEDIUM(effective_radius_um)),
+    ROW("variable", TEXT, .variants = NETCDF, MEDIUM(variable)),
+    ROW("per_unit", NUMBER, .variants = NETCDF, .max = 1e9, .unit = "1/m",
+        .preset = "1", MEDIUM(per_unit)),
     ROW("time_s", NUMBER, .variants = FDS, NEEDED, .min = -1e9, .max = 1e9,
         .unit = "s", MEDIUM(time_s)),
+    ROW("time_s", NUMBER, .variants = NETCDF, .max = 1e9, .unit = "s",
+        .preset = "0", MEDIUM(time_s)),
     ROW("profile", MAP, .group = 1, .variants = PLAIN, .keys = &PROFILE),
     ROW("extinction_per_m", SPECTRUM, NEEDED, EXTINCTION,
         .variants = BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID)),
@@ -286,8 +304,9 @@ const murk_keys murk_medium_keys = {
     .noun = "medium",
     .choose = choose_medium,
     .variant_names = MEDIUM_VARIANTS,
-    .variant_needs = (const char *const[]){"", "vdb", "profile", "preset",
-                                           "preset vdb", "fds", "preset fds"},
+    .variant_needs =
+        (const char *const[]){"", "vdb", "profile", "preset", "preset vdb",
+                              "fds", "preset fds", "netcdf", "preset netcdf"},
     .complete = murk_medium_preset_complete,
     .check = check_medium,
     WHERE(murk_scene_medium, where),
@@ -315,7 +334,8 @@ static murk_status choose_region(murk_key_reader *walk, const murk_yaml *map,
     const murk_yaml *medium =
         media && name && name->text ? murk_yaml_get(media, name->text) : NULL;
     const bool has_grid = medium && (murk_yaml_get(medium, "vdb") ||
-                                     murk_yaml_get(medium, "fds"));
+                                     murk_yaml_get(medium, "fds") ||
+                                     murk_yaml_get(medium, "netcdf"));
     *variant = has_grid ? MURK_REGION_GRID : MURK_REGION_EVERYWHERE;
     for (int i = 0; i < (int)(sizeof keys / sizeof *keys); ++i) {
         if (keys[i] && murk_yaml_get(map, keys[i])) {

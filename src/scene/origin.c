@@ -194,7 +194,7 @@ static void move_region(murk_scene_region *r, const murk_scene_medium *medium,
 {
     const bool is_file = r->shape == MURK_REGION_GRID ||
                          r->shape == MURK_REGION_MESH || medium->vdb ||
-                         medium->fds || medium->albedo_vdb;
+                         medium->fds || medium->netcdf || medium->albedo_vdb;
     move_solid(&r->solid,
                r->shape == MURK_REGION_BOX ? r->solid.box.min : r->solid.center,
                origin, is_file, medium->profile_z_m.n > 0);

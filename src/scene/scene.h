@@ -132,8 +132,13 @@ typedef struct murk_scene_medium {
     char *vdb_frames;   /* pattern of the files' names; NULL: no frames */
     char *fds;          /* path of the .smv file of an FDS run; NULL: none */
     int fds_quantity;   /* murk_fds_quantity (fds/extinction.h) */
-    murk_scene_numbers fds_mesh;    /* numbers of meshes, from 1; n 0: all */
-    double time_s;                  /* of the run */
+    murk_scene_numbers fds_mesh; /* numbers of meshes, from 1; n 0: all */
+    double time_s;               /* of the run, or of the NetCDF file */
+    char *netcdf;                /* path of a NetCDF file; NULL: none */
+    char *liquid_water, *effective_radius, *variable; /* names of variables;
+                                                       * NULL: not given */
+    double effective_radius_um;                       /* 0: a variable */
+    double per_unit; /* extinction for one unit of `variable` [1/m] */
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;

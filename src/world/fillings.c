@@ -85,6 +85,17 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
                                       .n_meshes = m->fds_mesh.n,
                                       .time_s = m->time_s};
         status = murk_grid_read_fds(&f->grid[i], m->fds, &asked, m->where, err);
+    } else if (m->netcdf) {
+        const murk_netcdf_asked asked = {
+            .liquid_water = m->liquid_water,
+            .effective_radius = m->effective_radius,
+            .variable = m->variable,
+            .effective_radius_um = m->effective_radius_um,
+            .per_unit = m->per_unit,
+            .time_s = m->time_s,
+            .is_linear = m->is_linear};
+        status = murk_grid_read_netcdf(&f->grid[i], m->netcdf, &asked, m->where,
+                                       err);
     }
     if (!status && m->albedo_grid) {
         status = murk_grid_read_albedo(&f->albedo[i], m->albedo_vdb,

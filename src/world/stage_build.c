@@ -165,8 +165,8 @@ static murk_status import_meshes(murk_stage *stage, const murk_stage *earlier,
 static bool has_same_grids(const murk_scene_medium *m,
                            const murk_scene_medium *of)
 {
-    return !m->fds && !of->fds && !m->vdb == !of->vdb &&
-           !m->vdb_next == !of->vdb_next &&
+    return !m->fds && !of->fds && !m->netcdf && !of->netcdf &&
+           !m->vdb == !of->vdb && !m->vdb_next == !of->vdb_next &&
            !m->albedo_grid == !of->albedo_grid &&
            is_same_text(m->grid, of->grid) &&
            is_same_text(m->albedo_grid, of->albedo_grid) &&

@@ -80,7 +80,7 @@ static bool survives(void)
         CHECK(field == NULL);
     }
     for (size_t b = 0; field && b < field->n; ++b) {
-        const murk_fds_block *block = &field->block[b];
+        const murk_field_block *block = &field->block[b];
         const size_t n = (block->cells[0] + 1) * (block->cells[1] + 1) *
                          (block->cells[2] + 1);
         bool are_sane = true;

@@ -61,13 +61,14 @@ static void make_blocks(bool has_nodes, uint32_t seed)
 /* Packs the first n blocks; returns the number of bytes. */
 static size_t pack(unsigned char *out, size_t n)
 {
-    unsigned char *to = out;
+    unsigned char *to = out + sizeof(murk_field_head);
     const uint64_t count = n;
+    memset(out, 0, sizeof(murk_field_head));
     memcpy(to, &count, sizeof count);
     to += sizeof count;
     /* Sizes, edges and values, each of all blocks. */
     for (size_t b = 0; b < n; ++b) {
-        const murk_rectilinear_size size = {
+        const murk_field_size size = {
             .cells = {CELLS[b][0], CELLS[b][1], CELLS[b][2]},
             .has_nodes = blocks[b].has_nodes};
         memcpy(to, &size, sizeof size);
@@ -81,11 +82,11 @@ static size_t pack(unsigned char *out, size_t n)
         }
     }
     for (size_t b = 0; b < n; ++b) {
-        const murk_rectilinear_size size = {
+        const murk_field_size size = {
             .cells = {CELLS[b][0], CELLS[b][1], CELLS[b][2]},
             .has_nodes = blocks[b].has_nodes};
         const size_t bytes =
-            murk_rectilinear_values(&size) * sizeof blocks[b].value[0];
+            murk_field_values(&size) * sizeof blocks[b].value[0];
         memcpy(to, blocks[b].value, bytes);
         to += bytes;
     }
@@ -182,8 +183,7 @@ static murk_grid *make_grid(void)
     murk_grid *grid = NULL;
     murk_error err = {0};
     const size_t size = pack(bytes, BLOCKS);
-    CHECK(murk_grid_from_field(&grid, bytes, size, "test", "", "test", &err) ==
-          MURK_OK);
+    CHECK(murk_grid_from_field(&grid, bytes, size, "test", &err) == MURK_OK);
     return grid;
 }
 
@@ -321,20 +321,19 @@ static void test_refused(void)
     const size_t size = pack(bytes, BLOCKS);
     murk_grid *grid = NULL;
     murk_error err = {0};
-    CHECK(murk_grid_from_field(&grid, bytes, size - 1, "", "", "", &err) ==
+    CHECK(murk_grid_from_field(&grid, bytes, size - 1, "", &err) ==
           MURK_BAD_FILE);
-    CHECK(murk_grid_from_field(&grid, bytes, 7, "", "", "", &err) ==
-          MURK_BAD_FILE);
+    CHECK(murk_grid_from_field(&grid, bytes, 7, "", &err) == MURK_BAD_FILE);
     blocks[0].value[3] = -1;
-    CHECK(murk_grid_from_field(&grid, bytes, pack(bytes, BLOCKS), "", "", "",
-                               &err) == MURK_BAD_FILE);
+    CHECK(murk_grid_from_field(&grid, bytes, pack(bytes, BLOCKS), "", &err) ==
+          MURK_BAD_FILE);
     blocks[0].value[3] = NAN;
-    CHECK(murk_grid_from_field(&grid, bytes, pack(bytes, BLOCKS), "", "", "",
-                               &err) == MURK_BAD_FILE);
+    CHECK(murk_grid_from_field(&grid, bytes, pack(bytes, BLOCKS), "", &err) ==
+          MURK_BAD_FILE);
     blocks[0].value[3] = 0;
     blocks[1].edge[0][0] -= 0.1; /* overlaps the first block */
-    CHECK(murk_grid_from_field(&grid, bytes, pack(bytes, BLOCKS), "", "", "",
-                               &err) == MURK_BAD_FILE);
+    CHECK(murk_grid_from_field(&grid, bytes, pack(bytes, BLOCKS), "", &err) ==
+          MURK_BAD_FILE);
     CHECK(grid == NULL);
 }
 

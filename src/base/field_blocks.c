@@ -1,0 +1,55 @@
+/* Packs fields on rectilinear grids (base/field_blocks.h). */
+#include "base/field_blocks.h"
+
+#include <stdlib.h>
+
+uint64_t murk_field_values(const murk_field_size *size)
+{
+    const uint64_t more = size->has_nodes ? 1 : 0;
+    return (size->cells[0] + more) * (size->cells[1] + more) *
+           (size->cells[2] + more);
+}
+
+static murk_field_size size_of(const murk_field_block *b)
+{
+    return (murk_field_size){.cells = {b->cells[0], b->cells[1], b->cells[2]},
+                             .has_nodes = b->has_nodes};
+}
+
+murk_status murk_field_send(murk_subprocess *to, const murk_field_head *head,
+                            const murk_field_block *block, size_t n)
+{
+    const uint64_t blocks = n;
+    murk_status status = murk_subprocess_send(to, head, sizeof *head);
+    if (!status) {
+        status = murk_subprocess_send(to, &blocks, sizeof blocks);
+    }
+    /* Sizes, edges and values, each of all blocks. */
+    for (size_t i = 0; i < n && !status; ++i) {
+        const murk_field_size size = size_of(&block[i]);
+        status = murk_subprocess_send(to, &size, sizeof size);
+    }
+    for (size_t i = 0; i < 3 * n && !status; ++i) {
+        const murk_field_block *b = &block[i / 3];
+        status = murk_subprocess_send(to, b->edge[i % 3],
+                                      (b->cells[i % 3] + 1) * sizeof(double));
+    }
+    for (size_t i = 0; i < n && !status; ++i) {
+        const murk_field_size size = size_of(&block[i]);
+        status = murk_subprocess_send(to, block[i].value,
+                                      murk_field_values(&size) *
+                                          sizeof *block[i].value);
+    }
+    return status;
+}
+
+void murk_field_blocks_destroy(murk_field_block *block, size_t n)
+{
+    for (size_t i = 0; block && i < n; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            free(block[i].edge[axis]);
+        }
+        free(block[i].value);
+    }
+    free(block);
+}

@@ -1,0 +1,246 @@
+#!/usr/bin/env python3
+"""The reader of NetCDF files: optical depths of columns against values read by
+another reader (../shared/data/frontier/netcdf), and files written here with
+packed values, missing values, falling and exchanged axes, kilometres, bounds of
+cells and several times, against sums made here. Standard library only.
+usage: netcdf.py MURK
+"""
+
+import csv
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+DATA = pathlib.Path("../shared/data/frontier/netcdf")
+
+murk = pathlib.Path(sys.argv[1]).resolve()
+failures = checks = 0
+
+
+def check(holds, text):
+    global failures, checks
+    checks += 1
+    if not holds:
+        failures += 1
+        if failures < 20:
+            print("not so:", text)
+
+
+SCENE = """murk: 1
+bands_nm: [550]
+domain: {min_m: [-2e4, -2e4, -2e4], max_m: [2e4, 2e4, 2e4], sides: open}
+media:
+  cloud: {%s}
+regions:
+  - {medium: cloud}
+lights:
+  - {type: point, position_m: [0, 0, 1.9e4], power_w: 1}
+"""
+
+
+def depths(folder, keys, lines):
+    """Optical depths along lines (six coordinates each), or the error."""
+    scene, data, out = (folder / name for name in ("scene.yaml", "lines.csv", "out"))
+    scene.write_text(SCENE % keys)
+    with open(data, "w") as to:
+        print("kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error", file=to)
+        for line in lines:
+            print("transmittance," + ",".join(repr(x) for x in line) + ",fraction,.5,.1", file=to)
+    done = subprocess.run([murk, "fit", scene, "--data", data, "-o", out, "--force", "--quiet"],
+                          text=True, stderr=subprocess.PIPE)
+    if done.returncode != 0:
+        return done.stderr
+    with open(out / "fit.csv") as table:
+        return [-math.log(float(row["predicted"])) for row in csv.DictReader(table)]
+
+
+# ---- the reference ----
+
+def compare_reference(folder, file, name):
+    with open(DATA / file) as lines:
+        rows = list(csv.DictReader(line for line in lines if line[0] != "#"))
+    for rule in ("cells", "trapezoid"):
+        for frame in sorted({row["frame"] for row in rows if row["what"] == "column"}):
+            own = [row for row in rows if row["what"] == "column" and row["variable"] == f"tau_{rule}"
+                   and row["frame"] == frame]
+            # middles of the columns: x = 10 + 20 i, y likewise
+            lines = [[10 + 20.0 * int(row["i"]) + 1e-3, 10 + 20.0 * int(row["j"]) + 1e-3, -10.0,
+                      10 + 20.0 * int(row["i"]) + 1e-3, 10 + 20.0 * int(row["j"]) + 1e-3, 5000.0] for row in own]
+            if rule == "trapezoid":
+                for line in lines:
+                    line[0] -= 1e-3
+                    line[1] -= 1e-3
+                    line[3] -= 1e-3
+                    line[4] -= 1e-3
+            got = depths(folder, f"netcdf: {(DATA / name).resolve()}, albedo: 1, time_s: {times(name)[int(frame)]}, "
+                         f"interpolation: {'nearest' if rule == 'cells' else 'linear'}", lines)
+            for row, tau in zip(own, got, strict=True):
+                want = float(row["value"])
+                check(abs(tau - want) <= 1e-6 * max(want, 1e-3), f"{name} {row}: {tau}")
+
+
+def times(name):
+    """The times of a file's frames after the first, which murk itself tells when a time is out of range."""
+    return TIMES[name]
+
+
+TIMES = {"rico32x37x26.nc": [0], "rico32x37x26_3frames_classic.nc": [0, 60, 120]}
+
+
+# ---- files of our own ----
+
+TYPES = {"f": (5, 4), "d": (6, 8), "h": (3, 2)}
+
+
+def text(value):
+    data = value.encode()
+    return struct.pack(">i", len(data)) + data + b"\0" * (-len(data) % 4)
+
+
+def attributes(given):
+    if not given:
+        return struct.pack(">ii", 0, 0)
+    out = struct.pack(">ii", 12, len(given))
+    for name, value in given.items():
+        if isinstance(value, str):
+            data = value.encode()
+            out += text(name) + struct.pack(">ii", 2, len(data)) + data + b"\0" * (-len(data) % 4)
+        else:
+            kind, number = value
+            data = struct.pack(">" + kind, number)
+            out += text(name) + struct.pack(">ii", TYPES[kind][0], 1) + data + b"\0" * (-len(data) % 4)
+    return out
+
+
+def write_classic(path, dimensions, variables):
+    """A NetCDF file in the classic format. dimensions: name -> length, 0: the
+    records of all variables with it; variables: name -> (dimensions, type,
+    attributes, values)."""
+    names = list(dimensions)
+    head = b"CDF\1" + struct.pack(">i", 3 if 0 in dimensions.values() else 0)
+    records = 0
+    for _, (axes, _, _, values) in variables.items():
+        if axes and dimensions[axes[0]] == 0:
+            records = len(values) // math.prod(dimensions[axis] for axis in axes[1:])
+    head = b"CDF\1" + struct.pack(">i", records)
+    head += struct.pack(">ii", 10, len(names)) + b"".join(text(n) + struct.pack(">i", dimensions[n]) for n in names)
+    head += attributes({})
+
+    def listed(begins):
+        out = struct.pack(">ii", 11, len(variables))
+        for (name, (axes, kind, given, _)), begin in zip(variables.items(), begins):
+            size = math.prod(dimensions[a] or 1 for a in axes) * TYPES[kind][1]
+            out += text(name) + struct.pack(">i", len(axes)) + struct.pack(f">{len(axes)}i", *map(names.index, axes))
+            out += attributes(given) + struct.pack(">iii", TYPES[kind][0], size + -size % 4, begin)
+        return out
+
+    at = len(head) + len(listed([0] * len(variables)))
+    begins, fixed, per_record = [], b"", []
+    for axes, kind, _, values in variables.values():
+        data = struct.pack(f">{len(values)}{kind}", *values)
+        if axes and dimensions[axes[0]] == 0:
+            step = len(data) // records
+            per_record.append([data[i * step:(i + 1) * step] + b"\0" * (-step % 4) for i in range(records)])
+            begins.append(None)
+        else:
+            begins.append(at + len(fixed))
+            fixed += data + b"\0" * (-len(data) % 4)
+    place = at + len(fixed)
+    record_at = iter(range(len(per_record)))
+    for i, begin in enumerate(begins):
+        if begin is None:
+            begins[i] = place
+            place += len(per_record[next(record_at)][0])
+    with open(path, "wb") as out:
+        out.write(head + listed(begins) + fixed)
+        for record in range(records):
+            for data in per_record:
+                out.write(data[record])
+
+
+X, Y, Z = [0.0, 100.0, 250.0], [0.5, 0.2], [100.0, 300.0, 400.0, 1000.0]  # m, km and falling, m
+
+
+def water(i, j, k, frame):
+    return (i + 2 * j + 3 * k + 1 + 5 * frame) / 100 if k else 0.0
+
+
+def own_files(folder):
+    """One field as a plain file and, exchanged and packed, as another."""
+    plain = {
+        "x": (["x"], "d", {"units": "m"}, X), "y": (["y"], "d", {"units": "km"}, Y),
+        "z": (["z"], "d", {"units": "m", "axis": "Z"}, Z),
+        "time": (["time"], "d", {"units": "minutes since 2000-01-01"}, [10, 11, 13]),
+        "lwc": (["time", "z", "y", "x"], "f", {"units": "g m-3", "_FillValue": ("f", -999.0)},
+                [-999.0 if (i, j, k) == (2, 1, 3) else water(i, j, k, t)
+                 for t in range(3) for k in range(4) for j in range(2) for i in range(3)])}
+    write_classic(folder / "plain.nc", {"time": 0, "x": 3, "y": 2, "z": 4}, plain)
+    packed = {
+        "e": (["e"], "d", {"units": "m", "axis": "X"}, X), "n": (["n"], "d", {"units": "km", "axis": "Y"}, Y),
+        "up": (["up"], "d", {"units": "m", "standard_name": "height", "bounds": "up_bounds"}, Z[::-1]),
+        "up_bounds": (["up", "two"], "d", {}, [1300, 700, 700, 350, 350, 200, 200, 0]),
+        "liquid": (["e", "n", "up"], "h", {"units": "kg m-3", "scale_factor": ("d", 1e-5), "add_offset": ("d", 0.0),
+                                           "missing_value": ("h", -1)},
+                   [-1 if (i, j, k) == (2, 1, 3) else round(100 * water(i, j, k, 0))
+                    for i in range(3) for j in range(2) for k in (3, 2, 1, 0)])}
+    write_classic(folder / "packed.nc", {"e": 3, "n": 2, "up": 4, "two": 2}, packed)
+
+
+def column(i, j, weight, radius_um):
+    """Optical depth of a column: cells from middle to middle."""
+    edges = [0, 200, 350, 700, 1300]
+    total = 0
+    for k in range(4):
+        values = [0 if (i, j, k) == (2, 1, 3) else water(i, j, k, t) for t in range(3)]
+        value = (1 - weight) * values[0] + weight * values[1]
+        total += 1.5 * value / radius_um * (edges[k + 1] - edges[k])
+    return total
+
+
+def compare_own(folder):
+    own_files(folder)
+    places = [(i, j) for i in range(3) for j in range(2)]
+    lines = [[X[i] + 1, 1000 * Y[j] + 1, -100.0, X[i] + 1, 1000 * Y[j] + 1, 5000.0] for i, j in places]
+    keys = "albedo: 1, effective_radius_um: 10, "
+    for file, name, weight, time_s in (("plain.nc", "lwc", 0, 0), ("plain.nc", "lwc", 0.25, 15),
+                                       ("plain.nc", "lwc", 1, 60), ("packed.nc", "liquid", 0, 0)):
+        got = depths(folder, keys + f"netcdf: {folder / file}, liquid_water: {name}, time_s: {time_s}", lines)
+        if isinstance(got, str):
+            check(False, got)
+            continue
+        for (i, j), tau in zip(places, got, strict=True):
+            want = column(i, j, weight, 10)
+            check(abs(tau - want) <= 2e-6 * max(want, 1e-2), f"{file} at {time_s} s, column {i} {j}: {tau}, {want}")
+    # any variable by a factor: a tenth of the water
+    got = depths(folder, f"albedo: 1, netcdf: {folder / 'plain.nc'}, variable: lwc, per_unit: 0.015", lines)
+    for (i, j), tau in zip(places, got, strict=True):
+        check(abs(tau - column(i, j, 0, 100)) <= 2e-6, f"factor, column {i} {j}")
+    refused = [("time_s: 200, liquid_water: lwc", "must be 0 to 180 s"), ("liquid_water: ice", "fields in it: lwc"),
+               ("", "has no variable mass_concentration")]
+    for more, problem in refused:
+        got = depths(folder, keys + f"netcdf: {folder / 'plain.nc'}, {more}", lines[:1])
+        check(isinstance(got, str) and problem in got and got.count("\n") == 1, f"{more}: {got}")
+    # cut off anywhere: an error of one line, or a warning's values
+    whole = (folder / "plain.nc").read_bytes()
+    for part in range(0, len(whole) - 200, len(whole) // 12):
+        (folder / "cut.nc").write_bytes(whole[:part])
+        got = depths(folder, keys + f"netcdf: {folder / 'cut.nc'}, liquid_water: lwc", lines[:1])
+        check(isinstance(got, str) and got.count("\n") == 1 and "cut.nc" in got, f"cut at {part}: {got}")
+
+
+if not (murk.parent / "libmurk0" / "murk-netcdf").exists():
+    print("skipped: this build has no murk-netcdf")
+    sys.exit(77)
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    compare_own(folder)
+    if DATA.is_dir():
+        compare_reference(folder, "rico32x37x26_reference.csv", "rico32x37x26.nc")
+        compare_reference(folder, "rico32x37x26_3frames_reference.csv", "rico32x37x26_3frames_classic.nc")
+    else:
+        print(f"without {DATA}, which is not there")
+print(f"{checks} checks, {failures} not so")
+sys.exit(failures > 0)
