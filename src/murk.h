@@ -1199,14 +1199,16 @@ typedef struct murk_fit_options {
     uint64_t next;       /* number of places to propose for further readings */
     const char *predict; /* path of the fit.json of a finished fit: nothing is
                           * fitted, and the readings are predicted at the values
-                          * there; NULL: fits */
+                          * there; NULL: no such fit */
 } murk_fit_options;
 
 /* Reads the readings of the CSV file `data`, and prepares to fit keys[n] of a
  * scene to these readings: keys such as "media.fog.visibility_m",
  * "media.fog.albedo@each" (a value for each condition) or "gain.NAME" (a factor
- * of readings). options NULL: zeros; with options->predict, n and options->next
- * must be 0; without, n must be above 0. Fails with MURK_BAD_VALUE or
+ * of readings). With n = 0 (keys may be NULL) nothing is fitted, and
+ * murk_fit_run() predicts the readings at the values of the scene, where
+ * factors of readings are 1. options NULL: zeros; with options->predict, n must
+ * be 0, and with n = 0 options->next must be 0. Fails with MURK_BAD_VALUE or
  * MURK_BAD_FILE if scene, readings, keys or options are wrong, and as
  * murk_world_create(). */
 murk_status murk_fit_create(murk_fit **out, murk_scene *scene, const char *data,
@@ -1249,13 +1251,13 @@ murk_status murk_fit_run_part(murk_fit *fit, uint32_t number, uint32_t count,
 murk_status murk_fit_merge(murk_fit *fit, const char *const *path, size_t n,
                            murk_error *error);
 
-/* *fields: those of fit.json, or with options->predict of predict.json. Fails
+/* *fields: those of fit.json, or of a prediction of predict.json. Fails
  * with MURK_BAD_VALUE before murk_fit_run() has succeeded. */
 murk_status murk_fit_fields(murk_fit *fit, const murk_fields **fields,
                             murk_error *error);
 
 /* Writes the files of murk fit to a folder: fit.json, fit.csv, calibrated.yaml
- * and scene.resolved.yaml, or with options->predict predict.json, fit.csv and
+ * and scene.resolved.yaml, or of a prediction predict.json, fit.csv and
  * scene.resolved.yaml. The arguments are described at murk_save_options. Fails
  * with MURK_BAD_VALUE before murk_fit_run() has succeeded, and with
  * MURK_BAD_VALUE, MURK_RUN_FAILED or MURK_INTERRUPTED, as described there. */

@@ -326,9 +326,10 @@ class Scene:
         data: columns of murk-data(5). free: paths of keys; "KEY@each" is one value a condition, "gain.NAME" a factor
         of readings. bounds: the least and the largest value of a key, None for none. loss: "none", "huber" or "cauchy",
         the last two also with a width in standard errors, "huber:1.345". starts, traces: of the search; 0: 4 and 12.
-        next: proposes so many places for further readings. predict: a fit.json, at whose values the readings are
-        predicted; then nothing is fitted. parts: files of `fit_part()` with searches of this fit, in any order; those of
-        missing parts are run, with a warning. Raises Error if a reading or a key does not fit the scene.
+        next: proposes so many places for further readings. Without `free` nothing is fitted, and the readings are
+        predicted at the values of the scene, or of `predict`, the fit.json of a finished fit. parts: files of
+        `fit_part()` with searches of this fit, in any order; those of missing parts are run, with a warning. Raises
+        Error if a reading or a key does not fit the scene.
 
         Example: `fit = scene.fit("fog.csv", ["media.fog.extinction_per_m", "media.fog.phase.hg"])`.
         """

@@ -1,5 +1,6 @@
 /* Fits: the parameters of a scene are calibrated to the readings of a file, or
- * the readings are predicted at the values of a finished fit. */
+ * the readings are predicted: at the values of the scene, or of a finished fit.
+ */
 #include "api/fit_values.h"
 #include "api/save.h"
 #include "api/scene.h"
@@ -25,9 +26,11 @@ struct murk_fit {
     murk_scene *scene;
     murk_calibration_desc desired; /* loss, starts, limits */
     size_t wanted_places;          /* proposals; 0: none */
-    char *predict;                 /* path of a finished fit; NULL: fits */
-    murk_memory_files files;       /* of the scene when the fit was made, and
-                                    * SCENE_TEXT */
+    bool only_predicts;            /* no search */
+    char *predict;           /* path of a finished fit, at whose values the
+                              * readings are predicted; NULL: none */
+    murk_memory_files files; /* of the scene when the fit was made, and
+                              * SCENE_TEXT */
     murk_held_arrays held;
     murk_session session;          /* owns the scene and the stage of the fit */
     murk_imported_stages imported; /* session.stage borrows from these stages */
@@ -105,8 +108,8 @@ static murk_status check_before_trace(const murk_fit *f, murk_error *err)
 }
 
 /* Reads the readings, then finds the free keys with their bounds and starts. To
- * predict, reads a finished fit before, which gives the free keys and the
- * values at which they start. */
+ * predict at the values of a finished fit, reads that fit before, which gives
+ * the free keys and the values at which they start. */
 static murk_status read_input(murk_fit *f, const char *data,
                               const char *const *keys, size_t n,
                               const murk_fit_options *options, murk_error *err)
@@ -130,6 +133,7 @@ static murk_status read_input(murk_fit *f, const char *data,
                            .asked = (const char *const *)f->values.asked,
                            .n_asked = f->values.n,
                            .n_bounds = options->n_bounds,
+                           .may_be_none = f->only_predicts,
                            .measured = f->measured,
                            .domain = domain};
     /* One list of texts: the bounds, then the keys. */
@@ -193,15 +197,15 @@ static murk_status make(murk_fit *f, murk_scene *scene, const char *data,
     if (!status) {
         status = take_options(f, &options, &call->failure);
     }
-    if (!status && f->predict && (n > 0 || f->wanted_places > 0)) {
+    if (!status && f->predict && n > 0) {
         status = murk_fail(&call->failure, MURK_BAD_VALUE, "predict",
-                           "fits nothing, so it goes with neither free keys "
-                           "nor proposals");
+                           "fits nothing, so it does not go with free keys");
     }
-    if (!status && !f->predict && n == 0) {
-        status = murk_fail(&call->failure, MURK_BAD_VALUE, "keys",
-                           "none, must be the keys of the scene to be found, "
-                           "or a finished fit to predict by");
+    f->only_predicts = f->predict || n == 0;
+    if (!status && f->only_predicts && f->wanted_places > 0) {
+        status = murk_fail(&call->failure, MURK_BAD_VALUE, "next",
+                           "proposes places for a fit, and without free keys "
+                           "nothing is fitted");
     }
     /* Read and build the scene, then read the input of the fit. */
     if (!status) {
@@ -301,7 +305,7 @@ static murk_calibration_desc desc_of(const murk_fit *f)
     desc.imported = &f->imported;
     desc.threads = f->scene->context->threads;
     desc.seed = f->session.scene->seed;
-    desc.only_predicts = f->predict != NULL;
+    desc.only_predicts = f->only_predicts;
     desc.watch = tell_step;
     desc.forecast = tell_memory;
     desc.scene = f->session.scene;
@@ -354,7 +358,7 @@ murk_status murk_fit_merge(murk_fit *f, const char *const *path, size_t n,
     for (size_t i = 0; has_paths && i < n; ++i) {
         has_paths = path[i] != NULL;
     }
-    return f && !f->has_run && !f->predict && has_paths
+    return f && !f->has_run && !f->only_predicts && has_paths
                ? run_fit(f, path, n, error)
                : murk_call_refuse(error, "fit or a path is NULL, or the fit "
                                          "has run, or predicts");
@@ -382,7 +386,7 @@ static murk_fit_facts facts_of(const murk_fit *f)
                             .measured = f->measured,
                             .found = &f->found,
                             .next = f->next.place ? &f->next : NULL,
-                            .only_predicts = f->predict != NULL};
+                            .only_predicts = f->only_predicts};
 }
 
 murk_status murk_fit_fields(murk_fit *f, const murk_fields **fields,
@@ -405,9 +409,9 @@ murk_status murk_fit_fields(murk_fit *f, const murk_fields **fields,
 static murk_status check(const murk_fit *f, murk_session *session,
                          murk_error *err)
 {
-    const char *const names[] = {"fit.csv",
-                                 f->predict ? "predict.json" : "fit.json",
-                                 f->predict ? NULL : "calibrated.yaml", NULL};
+    const char *const names[] = {
+        "fit.csv", f->only_predicts ? "predict.json" : "fit.json",
+        f->only_predicts ? NULL : "calibrated.yaml", NULL};
     murk_status status = murk_save_without_exports(session, "a fit", err);
     if (!status) {
         status = murk_results_begin(&session->results, session->settings.folder,
@@ -453,12 +457,12 @@ static murk_status save(void *of, murk_session *session,
                                       murk_results_list_fit_row, &facts,
                                       facts.measured->rows, err);
     }
-    if (!status && !f->predict) {
+    if (!status && !f->only_predicts) {
         status = murk_add_calibrated(&session->results, &facts, err);
     }
     return status ? status
                   : murk_session_finish(
-                        session, f->predict ? "predict.json" : "fit.json",
+                        session, f->only_predicts ? "predict.json" : "fit.json",
                         murk_results_json(murk_results_list_fit, &facts),
                         murk_print_fit, &facts, err);
 }

@@ -11,6 +11,10 @@
 /* starts.part begins with the mark of light.murk. */
 static const murk_part_result starts_part = {"starts.part", "\x8dmurk"};
 
+/* Options that have no meaning for a prediction at the values of the scene. */
+static const char *const of_searches[] = {"--loss", "--starts", "--traces",
+                                          "--next"};
+
 static murk_status check_options(const murk_options *o, murk_error *err)
 {
     /* The readings, and what is to be found. */
@@ -23,15 +27,19 @@ static murk_status check_options(const murk_options *o, murk_error *err)
                          "fits nothing, so it goes with neither --free nor "
                          "--next");
     }
-    if (!o->fit.predict && !o->fit.free.n) {
-        return murk_fail(err, MURK_BAD_VALUE, "",
-                         "fit needs --free KEY, the scene's keys to be found "
-                         "(or --predict FIT.json)");
+    for (size_t i = 0; !o->fit.predict && !o->fit.free.n &&
+                       i < sizeof of_searches / sizeof *of_searches;
+         ++i) {
+        if (murk_option_text(o, of_searches[i])) {
+            return murk_fail(err, MURK_BAD_VALUE, of_searches[i],
+                             "is of a search, and without --free KEY, the "
+                             "scene's keys to be found, nothing is searched");
+        }
     }
     /* Searches that can be divided. */
-    if (o->shard.count && o->fit.predict) {
+    if (o->shard.count && (o->fit.predict || !o->fit.free.n)) {
         return murk_fail(err, MURK_BAD_VALUE, "--shard",
-                         "divides the searches of a fit, and --predict has "
+                         "divides the searches of a fit, and a prediction has "
                          "none");
     }
     if (o->shard.count && murk_option_number(o, "--starts", 0) == 1) {

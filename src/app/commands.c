@@ -165,7 +165,7 @@ const murk_command murk_commands[] = {
                "the scene as resolved, at its first step"},
               {"steps/NNNN/", "the files of murk place, by step from 0000; "
                               "light.murk with --export light alone"}}},
-    {"fit", "SCENE --data FILE --free KEY[,KEY...] [-o DIR]",
+    {"fit", "SCENE --data FILE [--free KEY[,KEY...]] [-o DIR]",
      "calibrate: which medium was it?",
      "Finds the values of scene keys that bring the model to what was "
      "measured: coverage, fluence rate, irradiance, transmittance, at many "
@@ -174,8 +174,9 @@ const murk_command murk_commands[] = {
      "do not determine. With -o writes DIR/fit.csv (a row a measured row: "
      "predicted, residual), calibrated.yaml (for --set @FILE) and, last, "
      "fit.json. --free KEY is one value for all conditions, KEY@each one a "
-     "condition, gain.NAME a factor of readings. The columns of the data, and "
-     "how to read the result: murk-data(5).",
+     "condition, gain.NAME a factor of readings. Without --free nothing is "
+     "fitted: the readings are predicted at the values of the scene. The "
+     "columns of the data, and how to read the result: murk-data(5).",
      murk_command_fit, .has_ranks = true,
      .formats = "murk-data murk-scene murk-results",
      .example =
@@ -188,7 +189,7 @@ const murk_command murk_commands[] = {
      .file = {{"fit.json", "values, errors, what is not determined"},
               {"fit.csv", "a row a reading: predicted, residual"},
               {"calibrated.yaml", "what was found, for --set @FILE"},
-              {"predict.json", "with --predict, in place of fit.json"},
+              {"predict.json", "of a prediction, in place of fit.json"},
               {"scene.resolved.yaml", "the scene that the search began with"}}},
     {"report", "DIR [-o FILE.html]",
      "one self-contained page of a result folder",

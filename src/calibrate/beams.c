@@ -1,4 +1,5 @@
-/* Computes transmittance by Beer-Lambert along straight segments, with the same
+/* Computes the extinction of all media at points, and transmittance by
+ * Beer-Lambert along straight segments, with the same
  * passage through media as sightlines (path/viewpoint.h), and refuses segments
  * that a surface blocks or on which light does not travel straight. */
 #include "calibrate/beams.h"
@@ -44,12 +45,36 @@ static bool is_blocked(const murk_surfaces *surfaces, const murk_reading *r)
     return is_open && murk_surfaces_blocked(surfaces, from, to, false);
 }
 
-/* Checks one segment. */
+/* The acceptance angle needs an apparent extinction. */
+static murk_status check_acceptance(const murk_stage *stage,
+                                    const murk_reading *r, murk_error *err)
+{
+    return isnan(r->acceptance_rad)
+               ? MURK_OK
+               : murk_media_check_acceptance(stage->media, err);
+}
+
+/* Checks one point. */
+static murk_status check_point(const murk_stage *stage, const murk_reading *r,
+                               const char *where, murk_error *err)
+{
+    return murk_surfaces_solid_at(stage->surfaces, r->position)
+               ? murk_fail(err, MURK_BAD_VALUE, where,
+                           "the point %s m is inside a solid, must be outside "
+                           "of all",
+                           murk_position_show(r->position).text)
+               : check_acceptance(stage, r, err);
+}
+
+/* Checks one segment or point. */
 static murk_status check_reading(const murk_stage *stage,
                                  const murk_domain *domain,
                                  const murk_reading *r, const char *where,
                                  murk_error *err)
 {
+    if (r->kind == MURK_READ_EXTINCTION) {
+        return check_point(stage, r, where, err);
+    }
     /* Ends must not lie in a solid. */
     const murk_vec3 a = r->position, b = r->to;
     if (murk_surfaces_solid_at(stage->surfaces, a) ||
@@ -79,9 +104,7 @@ static murk_status check_reading(const murk_stage *stage,
                          murk_position_show(a).text,
                          murk_position_show(b).text);
     }
-    return isnan(r->acceptance_rad)
-               ? MURK_OK
-               : murk_media_check_acceptance(stage->media, err);
+    return check_acceptance(stage, r, err);
 }
 
 murk_status murk_beams_check(const murk_stage *stage,
@@ -92,7 +115,7 @@ murk_status murk_beams_check(const murk_stage *stage,
     murk_status status = MURK_OK;
     for (size_t i = 0; i < measured->readings && !status; ++i) {
         const murk_reading *r = &measured->reading[i];
-        if (r->kind == MURK_READ_TRANSMITTANCE && r->condition == condition) {
+        if (!murk_reading_needs_light(r->kind) && r->condition == condition) {
             char where[sizeof err->where];
             snprintf(where, sizeof where, "%s:%zu", measured->path, r->line);
             status = check_reading(stage, &domain, r, where, err);
@@ -151,37 +174,52 @@ void murk_beams_destroy(murk_beams *beams)
     }
 }
 
-/* The transmittance in the band of the reading, or the mean over all bands. */
-static double through(const murk_beams *beams, const murk_media *media,
-                      const murk_reading *reading)
+/* The transmittance, or the extinction at the point, in the band of the
+ * reading, or the mean over all bands. */
+static double value_of(const murk_beams *beams, const murk_media *media,
+                       const murk_reading *reading)
 {
     const murk_path_space space =
         murk_path_space_of(NULL, media, beams->boundary_meshes, &beams->domain);
     const murk_path_viewpoint end =
         murk_path_viewpoint_at(&space, reading->position);
-    if (reading->band >= 0) {
-        return murk_path_transmittance_to(&end, reading->band, reading->to);
-    }
+    const murk_inside inside = murk_path_inside(&space, reading->position);
+    const bool is_all = reading->band < 0;
+    const int first = is_all ? 0 : reading->band, n = is_all ? beams->bands : 1;
     double sum = 0;
-    for (int band = 0; band < beams->bands; ++band) {
-        sum += murk_path_transmittance_to(&end, band, reading->to);
+    for (int band = first; band < first + n; ++band) {
+        sum +=
+            reading->kind == MURK_READ_EXTINCTION
+                ? murk_media_extinction(media, band, inside, reading->position)
+                : murk_path_transmittance_to(&end, band, reading->to);
     }
-    return sum / beams->bands;
+    return sum / n;
 }
 
-murk_status murk_beam_transmittance(double *out, const murk_beams *beams,
-                                    const murk_reading *reading,
-                                    murk_error *err)
+/* Converts the value of a reading to the unit of the reading. */
+static double in_unit(const murk_reading *reading, double value)
+{
+    double unused;
+    return reading->kind == MURK_READ_EXTINCTION
+               ? murk_reading_of_extinction(reading->unit, value)
+               : murk_reading_in_unit(
+                     reading->unit, value,
+                     murk_length(murk_sub(reading->to, reading->position)),
+                     &unused);
+}
+
+murk_status murk_beam_read(double *out, const murk_beams *beams,
+                           const murk_reading *reading, murk_error *err)
 {
     if (isnan(reading->acceptance_rad)) {
-        *out = through(beams, beams->media, reading);
+        *out = in_unit(reading, value_of(beams, beams->media, reading));
         return MURK_OK;
     }
     murk_media *seen = NULL;
     const murk_status status =
         murk_media_accepting(&seen, beams->media, reading->acceptance_rad, err);
     if (!status) {
-        *out = through(beams, seen, reading);
+        *out = in_unit(reading, value_of(beams, seen, reading));
         murk_media_destroy(seen);
     }
     return status;

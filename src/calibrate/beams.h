@@ -1,4 +1,5 @@
-/* Transmittance along segments, computed exactly and without photons.
+/* Transmittance along segments and extinction at points, computed exactly and
+ * without photons.
  *
  * A segment is straight from one end to the other, in a periodic domain as
  * well. Surfaces that carry the ends do not block the segment, because an
@@ -11,11 +12,11 @@
 #include "readings/readings.h"
 #include "world/stage.h"
 
-/* Checks the segments of the readings of transmittance of one condition (as in
+/* Checks the segments and points of the readings of one condition (as in
  * murk_reading.condition). Fails with MURK_BAD_VALUE at the line of a reading
- * if a surface blocks the segment (a thin sheet, too), if the segment ends in a
- * solid, or if the index of refraction changes on it; at the medium if the
- * reading has an acceptance angle and an albedo is a grid. */
+ * if a surface blocks the segment (a thin sheet, too), if the segment ends or
+ * the point lies in a solid, or if the index of refraction changes on it; at
+ * the medium if the reading has an acceptance angle and an albedo is a grid. */
 murk_status murk_beams_check(const murk_stage *stage,
                              const murk_readings *measured, size_t condition,
                              murk_error *err);
@@ -32,12 +33,13 @@ murk_status murk_beams_create(murk_beams **out, const murk_stage *stage,
                               const murk_optics *optics, murk_error *err);
 void murk_beams_destroy(murk_beams *beams); /* NULL is fine */
 
-/* The transmittance of a reading, exp(-optical depth), with the acceptance
- * angle of the instrument (medium/rescaled.h). For a reading of all bands,
- * the mean over the bands. Fails with MURK_NO_MEMORY, and with MURK_BAD_VALUE
- * if there is an acceptance angle and an albedo is a grid. */
-murk_status murk_beam_transmittance(double *out, const murk_beams *beams,
-                                    const murk_reading *reading,
-                                    murk_error *err);
+/* The transmittance of a reading, exp(-optical depth), or the extinction
+ * coefficient of all media at the point of a reading of extinction, in the unit
+ * of the reading. Both are with the acceptance angle of the instrument
+ * (medium/rescaled.h), and for a reading of all bands the mean over the bands
+ * before it is converted to the unit. Fails with MURK_NO_MEMORY, and with
+ * MURK_BAD_VALUE if there is an acceptance angle and an albedo is a grid. */
+murk_status murk_beam_read(double *out, const murk_beams *beams,
+                           const murk_reading *reading, murk_error *err);
 
 #endif

@@ -68,6 +68,8 @@ typedef struct murk_free_desc {
     const char *const *bounds; /* [n_bounds]; "KEY=LOW:HIGH", either may be
                                 * empty */
     size_t n_bounds;
+    bool may_be_none; /* true: a prediction at the values of the scene needs no
+                       * parameter */
     const murk_readings *measured;
     const murk_domain *domain;
 } murk_free_desc;
@@ -103,14 +105,15 @@ typedef struct murk_free_keys {
  * Fails for unknown keys (with a suggestion), keys that are not a single
  * number, keys of anything but media, regions, lights and site, factors that no
  * reading names, readings whose unit needs a free factor that is not among the
- * keys, a key that is given twice or has no effect, no parameter, more
- * parameters than fitted rows or than MURK_FREE_MAX, a factor whose readings
- * are all held out, bounds that are malformed, outside the range or of no free
- * key, starts outside the bounds, and a start with albedo, extinction or power
- * 0, which cannot be re-weighted: all MURK_BAD_VALUE, at the option or the line
- * of the data. Also fails as reading the scene does, and with MURK_NO_MEMORY.
- * The caller owns *out (murk_free_keys_destroy()). The objects that desc points
- * to must outlive *out. */
+ * keys, a key that is given twice or has no effect, no parameter (unless
+ * may_be_none), more parameters than fitted rows or than MURK_FREE_MAX, a
+ * factor whose readings are all held out, bounds that are malformed, outside
+ * the range or of no free key, starts outside the bounds, and a start with
+ * albedo, extinction or power 0, which cannot be re-weighted: all
+ * MURK_BAD_VALUE, at the option or the line of the data. Also fails as reading
+ * the scene does, and with MURK_NO_MEMORY. The caller owns *out
+ * (murk_free_keys_destroy()). The objects that desc points to must outlive
+ * *out. */
 murk_status murk_free_keys_create(murk_free_keys **out,
                                   const murk_free_desc *desc, murk_error *err);
 void murk_free_keys_destroy(murk_free_keys *keys); /* NULL is fine */

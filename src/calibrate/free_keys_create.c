@@ -259,10 +259,13 @@ static murk_status find_kinds(murk_free_keys *keys, murk_error *err)
 
 /* ---- all ---- */
 
-/* Fails if there are no keys, or more keys than rows. */
+/* Fails if there are no keys that are needed, or more keys than rows. */
 static murk_status check_count(const murk_free_keys *keys, murk_error *err)
 {
     const murk_readings *m = keys->desc.measured;
+    if (keys->n == 0 && keys->desc.may_be_none) {
+        return MURK_OK;
+    }
     if (keys->n == 0) {
         return murk_fail(err, MURK_BAD_VALUE, MURK_FREE_PLACE,
                          "no keys, must be one or more");

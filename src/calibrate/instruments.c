@@ -63,7 +63,7 @@ murk_status murk_instruments_create(murk_instruments *out,
     /* Beams and receivers, then groups of coverage. */
     for (size_t i = 0; i < measured->rows; ++i) {
         const murk_reading *reading = first_of(measured, i, condition);
-        if (reading && reading->kind == MURK_READ_TRANSMITTANCE) {
+        if (reading && !murk_reading_needs_light(reading->kind)) {
             out->beam_row[out->beams++] = i;
         } else if (reading && reading->kind != MURK_READ_COVERAGE) {
             add_receiver(out, reading, i);

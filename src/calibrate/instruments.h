@@ -19,9 +19,9 @@ typedef struct murk_instruments {
     size_t *group;     /* [poses] */
     size_t lights;     /* receivers + groups */
     size_t *light_row; /* [lights]; numbers of the rows in the data */
-    size_t beams;
-    size_t *beam_row; /* [beams]; numbers of the rows in the data */
-    murk_arena arena; /* of all arrays */
+    size_t beams;      /* transmittances and extinctions */
+    size_t *beam_row;  /* [beams]; numbers of the rows in the data */
+    murk_arena arena;  /* of all arrays */
 } murk_instruments;
 
 /* Lists the rows of a condition of the scene (SIZE_MAX: the scene without a

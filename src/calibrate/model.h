@@ -4,8 +4,9 @@
  * Light is traced at one set of values (murk_model_trace()) and re-weighted to
  * others (calibrate/reweigh.h). Keys that change the world itself act on light
  * rows linearly, with slopes from differences of light that is traced at other
- * values with the same seed. Transmittance along beams is computed without
- * photons at any values, with the meshes of the world that was built last. */
+ * values with the same seed. Transmittance along beams and extinction at points
+ * are computed without photons at any values, with the meshes of the world that
+ * was built last. */
 #ifndef MURK_CALIBRATE_MODEL_H
 #define MURK_CALIBRATE_MODEL_H
 

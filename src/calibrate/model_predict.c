@@ -1,7 +1,8 @@
 /* Evaluates the forward model: rows that need light by re-weighting plus the
- * linear effect of world keys, transmittance along beams exactly, then factors
- * of readings. Also computes, for the last prediction, the covariance of the
- * rows that need light and the contributions of the runs of photons to them. */
+ * linear effect of world keys, transmittance along beams and extinction
+ * exactly, then factors of readings. Also computes, for the last prediction,
+ * the covariance of the rows that need light and the contributions of the runs
+ * of photons to them. */
 #include "calibrate/beams.h"
 #include "calibrate/model_parts.h"
 #include "calibrate/world_slopes.h"
@@ -112,8 +113,8 @@ static murk_status predict_light(murk_model *m, size_t c, const double *value,
     return status;
 }
 
-/* Transmittances at the given values, in the units of the rows. Beams use the
- * scene of these values, world keys included. */
+/* Transmittances and extinctions at the given values, in the units of the rows.
+ * Beams use the scene of these values, world keys included. */
 static murk_status beams_at(double *out, const murk_model *m, size_t c,
                             const double *value, murk_error *err)
 {
@@ -127,11 +128,7 @@ static murk_status beams_at(double *out, const murk_model *m, size_t c,
         /* Evaluate each beam. */
         const murk_reading *reading =
             murk_reading_of_row(m->desc.measured, w->instruments.beam_row[i]);
-        double transmittance, unused;
-        status = murk_beam_transmittance(&transmittance, beams, reading, err);
-        out[i] = murk_reading_in_unit(
-            reading->unit, transmittance,
-            murk_length(murk_sub(reading->to, reading->position)), &unused);
+        status = murk_beam_read(&out[i], beams, reading, err);
     }
     murk_beams_destroy(beams);
     murk_optics_destroy(optics);

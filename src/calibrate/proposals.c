@@ -41,7 +41,7 @@ static murk_status choose_kind(murk_proposals *out,
     for (size_t i = 0; i < measured->rows; ++i) {
         const murk_reading *reading = murk_reading_of_row(measured, i);
         count[reading->kind] +=
-            !reading->is_held_out && reading->kind != MURK_READ_TRANSMITTANCE;
+            !reading->is_held_out && murk_reading_needs_light(reading->kind);
     }
     out->kind = MURK_READ_COVERAGE;
     for (int kind = 0; kind < MURK_READING_KINDS; ++kind) {

@@ -33,7 +33,7 @@ static void list_rows(murk_fit_search *s)
         for (size_t i = 0, light = 0; i < s->rows; ++i) {
             const murk_reading *reading =
                 murk_reading_of_row(s->desc->measured, i);
-            const bool needs_light = reading->kind != MURK_READ_TRANSMITTANCE;
+            const bool needs_light = murk_reading_needs_light(reading->kind);
             s->measured[i] = reading->value;
             s->error[i] = reading->standard_error;
             if (!reading->is_held_out && needs_light == (pass == 0)) {

@@ -13,8 +13,9 @@
 #define COVERAGE   MURK_READING_KIND_BIT(MURK_READ_COVERAGE)
 #define IRRADIANCE MURK_READING_KIND_BIT(MURK_READ_IRRADIANCE)
 #define BEAM       MURK_READING_KIND_BIT(MURK_READ_TRANSMITTANCE)
+#define POINT      MURK_READING_KIND_BIT(MURK_READ_EXTINCTION)
 #define LIGHT      (MURK_READING_KIND_BIT(MURK_READ_FLUENCE) | IRRADIANCE)
-#define ALL        (COVERAGE | LIGHT | BEAM)
+#define ALL        (COVERAGE | LIGHT | BEAM | POINT)
 
 /* The columns: the kinds that need a value, and those that may have one. */
 static const struct {
@@ -33,8 +34,8 @@ static const struct {
     {"direction_y", IRRADIANCE, IRRADIANCE},
     {"direction_z", IRRADIANCE, IRRADIANCE},
     {"radius_m", LIGHT, LIGHT},
-    {"acceptance_deg", 0, IRRADIANCE | BEAM},
-    {"band_nm", 0, LIGHT | BEAM},
+    {"acceptance_deg", 0, IRRADIANCE | BEAM | POINT},
+    {"band_nm", 0, LIGHT | BEAM | POINT},
     {"sensor", 0, COVERAGE},
     {"heading_deg", 0, COVERAGE},
     {"tilt_deg", 0, COVERAGE},

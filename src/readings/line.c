@@ -207,7 +207,7 @@ static murk_status read_acceptance(murk_reading *out,
 }
 
 /* Reads position, band, acceptance, and the properties of the kind of reading:
- * a sensor, a sphere or a segment. */
+ * a sensor, a sphere, a segment or a point. */
 static murk_status read_place(murk_reading *out, const murk_reading_line *at)
 {
     murk_status status = MURK_OK;
@@ -220,6 +220,9 @@ static murk_status read_place(murk_reading *out, const murk_reading_line *at)
         return read_sensor(out, at);
     case MURK_READ_TRANSMITTANCE:
         return read_segment(out, at);
+    case MURK_READ_EXTINCTION:
+        out->to = out->position;
+        return MURK_OK;
     default:
         return read_receiver(out, at);
     }

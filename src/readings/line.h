@@ -11,7 +11,8 @@ typedef struct murk_reading {
     size_t condition; /* index in the scene, from 0; SIZE_MAX: the scene without
                        * a condition */
     murk_vec3 position;
-    murk_vec3 to;          /* transmittance: the other end of the segment */
+    murk_vec3 to;          /* transmittance: the other end of the segment;
+                            * extinction: the position */
     murk_vec3 direction;   /* irradiance: unit vector, outward normal of the
                             * receiver */
     double radius_m;       /* fluence, irradiance: radius of the sphere of the

@@ -243,12 +243,13 @@ static murk_status find_gains(murk_readings *m, listing *all)
 /* ---- all ---- */
 
 /* Logs a note with the law of each unit that is derived from a transmittance,
- * if readings have that unit. */
+ * if readings of transmittance have that unit. */
 static void tell(const murk_readings *m)
 {
     size_t count[MURK_READING_UNITS] = {0};
     for (size_t i = 0; i < m->readings; ++i) {
-        ++count[m->reading[i].unit];
+        count[m->reading[i].unit] +=
+            m->reading[i].kind == MURK_READ_TRANSMITTANCE;
     }
     for (int u = 0; u < MURK_READING_UNITS; ++u) {
         const char *law = murk_reading_unit_law((murk_reading_unit)u);

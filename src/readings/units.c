@@ -20,16 +20,20 @@
  * the largest number below 1, at which the visibility would be infinite. */
 #define T_MIN 1e-300
 #define T_MAX (1 - 0x1p-53)
+/* Visibilities are those of an extinction of at least this, the mean along 1 m
+ * at T_MAX. */
+#define EXTINCTION_MIN 0x1p-53
 
 /* Sets of kinds. */
 #define BIT      MURK_READING_KIND_BIT
 #define COVERAGE BIT(MURK_READ_COVERAGE)
 #define LIGHT    (BIT(MURK_READ_FLUENCE) | BIT(MURK_READ_IRRADIANCE))
 #define BEAM     BIT(MURK_READ_TRANSMITTANCE)
+#define POINT    BIT(MURK_READ_EXTINCTION)
 
-/* Ranges of values, as min, max and text: any number; percent per metre from 0
- * to 100, wider by 50 on both sides, because noise may carry readings there;
- * lengths above 0. */
+/* Ranges of values, as min, max and text: any number; percents of what is
+ * transmitted or obscured from 0 to 100, wider by 50 on both sides, because
+ * noise may carry readings there; lengths above 0. */
 #define ANY             -INFINITY, INFINITY, ""
 #define PERCENT_PER_M   -50, 150, "0..100, and noise up to half beyond"
 #define POSITIVE_LENGTH 0, INFINITY, "more than 0 m"
@@ -47,7 +51,8 @@ const char *const murk_reading_kinds[MURK_READING_KINDS] = {
     [MURK_READ_COVERAGE] = "coverage",
     [MURK_READ_FLUENCE] = "fluence",
     [MURK_READ_IRRADIANCE] = "irradiance",
-    [MURK_READ_TRANSMITTANCE] = "transmittance"};
+    [MURK_READ_TRANSMITTANCE] = "transmittance",
+    [MURK_READ_EXTINCTION] = "extinction"};
 
 static const unit_row UNITS[MURK_READING_UNITS] = {
     [MURK_UNIT_FRACTION] = {"fraction", COVERAGE | BEAM, -.5, 1.5,
@@ -59,18 +64,22 @@ static const unit_row UNITS[MURK_READING_UNITS] = {
     [MURK_UNIT_PAR] = {"umol/s/m2", LIGHT, ANY, NULL},
     [MURK_UNIT_RELATIVE] = {"relative", LIGHT, ANY, NULL},
     [MURK_UNIT_TRANSMISSION_PERCENT_PER_M] = {"transmission_percent_per_m",
-                                              BEAM, PERCENT_PER_M,
+                                              BEAM | POINT, PERCENT_PER_M,
                                               "100 T^(1/L)"},
-    [MURK_UNIT_OBSCURATION_PERCENT_PER_M] = {"obscuration_percent_per_m", BEAM,
-                                             PERCENT_PER_M,
+    [MURK_UNIT_OBSCURATION_PERCENT_PER_M] = {"obscuration_percent_per_m",
+                                             BEAM | POINT, PERCENT_PER_M,
                                              "100 (1 - T^(1/L))"},
-    [MURK_UNIT_DB_PER_KM] = {"db_per_km", BEAM, ANY,
+    [MURK_UNIT_OBSCURATION_PERCENT] = {"obscuration_percent", BEAM,
+                                       PERCENT_PER_M, "100 (1 - T)"},
+    [MURK_UNIT_OPTICAL_DEPTH] = {"optical_depth", BEAM, ANY, "-ln(T)"},
+    [MURK_UNIT_DB_PER_KM] = {"db_per_km", BEAM | POINT, ANY,
                              "-10 log10(T) / L, L in km"},
-    [MURK_UNIT_EXTINCTION_PER_M] = {"extinction_per_m", BEAM, ANY,
+    [MURK_UNIT_EXTINCTION_PER_M] = {"extinction_per_m", BEAM | POINT, ANY,
                                     "-ln(T) / L"},
-    [MURK_UNIT_VISIBILITY_M] = {"visibility_m", BEAM, POSITIVE_LENGTH,
+    [MURK_UNIT_VISIBILITY_M] = {"visibility_m", BEAM | POINT, POSITIVE_LENGTH,
                                 "3.912 L / -ln(T)"},
-    [MURK_UNIT_MOR_M] = {"mor_m", BEAM, POSITIVE_LENGTH, "2.996 L / -ln(T)"},
+    [MURK_UNIT_MOR_M] = {"mor_m", BEAM | POINT, POSITIVE_LENGTH,
+                         "2.996 L / -ln(T)"},
 };
 
 /* Other spellings. */
@@ -179,9 +188,10 @@ murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
         }
     }
     /* Find the unit; it must be one of the kind. */
-    const int unit = word[0] == '\0' && !(BIT(kind) & LIGHT)
-                         ? (int)MURK_UNIT_FRACTION
-                         : unit_of(word);
+    const int usual = kind == MURK_READ_EXTINCTION ? MURK_UNIT_EXTINCTION_PER_M
+                                                   : MURK_UNIT_FRACTION;
+    const int unit =
+        word[0] == '\0' && !(BIT(kind) & LIGHT) ? usual : unit_of(word);
     if (unit < 0) {
         return wrong_unit(word, kind, where, err);
     }
@@ -208,6 +218,34 @@ murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
                            u->range);
 }
 
+/* A unit with a law, as a function of the extinction; the optical depth is that
+ * of 1 m. *slope: the derivative with respect to the extinction. */
+static double by_extinction(murk_reading_unit unit, double per_m, double *slope)
+{
+    switch (unit) {
+    case MURK_UNIT_TRANSMISSION_PERCENT_PER_M:
+    case MURK_UNIT_OBSCURATION_PERCENT_PER_M: {
+        const double transmitted = 100 * exp(-per_m);
+        const bool is_transmission =
+            unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M;
+        *slope = is_transmission ? -transmitted : transmitted;
+        return is_transmission ? transmitted : 100 - transmitted;
+    }
+    case MURK_UNIT_DB_PER_KM:
+        *slope = 1000 * DECIBEL;
+        return 1000 * DECIBEL * per_m;
+    case MURK_UNIT_VISIBILITY_M:
+        *slope = -VISIBILITY / (per_m * per_m);
+        return VISIBILITY / per_m;
+    case MURK_UNIT_MOR_M:
+        *slope = -OPTICAL_RANGE / (per_m * per_m);
+        return OPTICAL_RANGE / per_m;
+    default:
+        *slope = 1;
+        return per_m;
+    }
+}
+
 double murk_reading_in_unit(murk_reading_unit unit, double model,
                             double length_m, double *slope)
 {
@@ -220,32 +258,26 @@ double murk_reading_in_unit(murk_reading_unit unit, double model,
         *slope = 1;
         return model;
     }
-    /* Units derived from the mean extinction along the segment. */
+    if (unit == MURK_UNIT_OBSCURATION_PERCENT) {
+        *slope = -100;
+        return 100 - 100 * model;
+    }
+    /* The optical depth, and units derived from the mean extinction along the
+     * segment. */
     const double t = model < T_MIN ? T_MIN : model > T_MAX ? T_MAX : model;
-    const double per_m = -log(t) / length_m;
-    const double d_per_m = -1 / (t * length_m);
-    switch (unit) {
-    case MURK_UNIT_TRANSMISSION_PERCENT_PER_M:
-    case MURK_UNIT_OBSCURATION_PERCENT_PER_M: {
-        const double transmitted = 100 * exp(-per_m);
-        const bool is_transmission =
-            unit == MURK_UNIT_TRANSMISSION_PERCENT_PER_M;
-        *slope = (is_transmission ? -transmitted : transmitted) * d_per_m;
-        return is_transmission ? transmitted : 100 - transmitted;
-    }
-    case MURK_UNIT_DB_PER_KM:
-        *slope = 1000 * DECIBEL * d_per_m;
-        return 1000 * DECIBEL * per_m;
-    case MURK_UNIT_VISIBILITY_M:
-        *slope = -VISIBILITY / (per_m * per_m) * d_per_m;
-        return VISIBILITY / per_m;
-    case MURK_UNIT_MOR_M:
-        *slope = -OPTICAL_RANGE / (per_m * per_m) * d_per_m;
-        return OPTICAL_RANGE / per_m;
-    default:
-        *slope = d_per_m;
-        return per_m;
-    }
+    const double length = unit == MURK_UNIT_OPTICAL_DEPTH ? 1 : length_m;
+    const double value = by_extinction(unit, -log(t) / length, slope);
+    *slope *= -1 / (t * length);
+    return value;
+}
+
+double murk_reading_of_extinction(murk_reading_unit unit, double per_m)
+{
+    const bool is_length =
+        unit == MURK_UNIT_VISIBILITY_M || unit == MURK_UNIT_MOR_M;
+    double unused;
+    return by_extinction(unit, is_length ? fmax(per_m, EXTINCTION_MIN) : per_m,
+                         &unused);
 }
 
 murk_quantity murk_reading_quantity(murk_reading_unit unit)

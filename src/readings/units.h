@@ -12,8 +12,15 @@ typedef enum murk_reading_kind {
     MURK_READ_FLUENCE,
     MURK_READ_IRRADIANCE,
     MURK_READ_TRANSMITTANCE,
+    MURK_READ_EXTINCTION,
     MURK_READING_KINDS
 } murk_reading_kind;
+
+/* True if readings of this kind need photons. The others are exact. */
+static inline bool murk_reading_needs_light(murk_reading_kind kind)
+{
+    return kind != MURK_READ_TRANSMITTANCE && kind != MURK_READ_EXTINCTION;
+}
 
 /* A set of kinds has one bit for each kind. */
 #define MURK_READING_KIND_BIT(kind) (1u << (kind))
@@ -23,7 +30,9 @@ extern const char *const murk_reading_kinds[MURK_READING_KINDS];
 
 /* The unit of a reading, as a function of the quantity of the model: watts per
  * square metre and band for light, the transmittance T of the segment of length
- * L in metres for transmittance, the fraction for coverage. */
+ * L in metres for transmittance, the coefficient K in 1/m for extinction, the
+ * fraction for coverage. Units of extinction are those of a transmittance whose
+ * -ln T / L is K. */
 typedef enum murk_reading_unit {
     MURK_UNIT_FRACTION, /* coverage, transmittance */
     MURK_UNIT_PERCENT,  /* coverage, transmittance; light, with a free factor */
@@ -34,6 +43,8 @@ typedef enum murk_reading_unit {
     MURK_UNIT_RELATIVE, /* light: any; a free factor is needed */
     MURK_UNIT_TRANSMISSION_PERCENT_PER_M, /* 100 T^(1/L); 100 is clear */
     MURK_UNIT_OBSCURATION_PERCENT_PER_M,  /* 100 (1 - T^(1/L)); 0 is clear */
+    MURK_UNIT_OBSCURATION_PERCENT,        /* transmittance: 100 (1 - T) */
+    MURK_UNIT_OPTICAL_DEPTH,              /* transmittance: -ln T */
     MURK_UNIT_DB_PER_KM,                  /* -10 log10 T over L in km */
     MURK_UNIT_EXTINCTION_PER_M,           /* -ln T / L */
     MURK_UNIT_VISIBILITY_M,               /* 3.912 L / -ln T */
@@ -56,7 +67,7 @@ bool murk_reading_unit_needs_gain(murk_reading_unit unit,
                                   murk_reading_kind kind);
 
 /* Finds the unit of a word in the file for a kind of reading; an empty word
- * means fraction, if the kind has that unit. Fails with MURK_BAD_VALUE at
+ * means fraction, or 1/m for extinction. Fails with MURK_BAD_VALUE at
  * `where` if the word is unknown or ambiguous or names a unit of other
  * kinds. */
 murk_status murk_reading_unit_find(murk_reading_unit *out, const char *word,
@@ -70,12 +81,16 @@ murk_status murk_reading_unit_check(murk_reading_unit unit, double value,
 
 /* Converts the quantity of the model to the unit of a row; *slope is the
  * derivative with respect to that quantity; factors of readings are not
- * applied. model: coverage or transmittance; for light, the value already
- * summed over bands in lux, photons or PAR if these are the unit, else in W/m2.
- * length_m: length of the segment; 1 for other kinds. Result and *slope are
- * finite for transmittance 0 and 1, too. */
+ * applied. Not for extinction. model: coverage or transmittance; for light, the
+ * value already summed over bands in lux, photons or PAR if these are the unit,
+ * else in W/m2. length_m: length of the segment; 1 for other kinds. Result and
+ * *slope are finite for transmittance 0 and 1, too. */
 double murk_reading_in_unit(murk_reading_unit unit, double model,
                             double length_m, double *slope);
+
+/* Converts an extinction coefficient to the unit of a row. The result is finite
+ * for an extinction of 0, too. */
+double murk_reading_of_extinction(murk_reading_unit unit, double per_m);
 
 /* The quantity (base/photometry.h) that the unit measures: lux, photons or PAR;
  * radiometric for all other units. */

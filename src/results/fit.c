@@ -293,7 +293,8 @@ void murk_results_list_fit_row(murk_results_fields *fields, const void *of,
     const murk_reading *r = f ? murk_reading_of_row(f->measured, i) : NULL;
     const murk_calibrated_row *c = f ? &f->found->row[i] : NULL;
     MURK_COUNT(fields, "line", "of the data", r->line);
-    MURK_TEXT(fields, "kind", "coverage, fluence, irradiance or transmittance",
+    MURK_TEXT(fields, "kind",
+              "coverage, fluence, irradiance, transmittance or extinction",
               murk_reading_kinds[r->kind]);
     MURK_TEXT(fields, "condition", "of the reading",
               condition_of(f->scene, r->condition));
@@ -394,6 +395,19 @@ static void print_identifiability(const murk_fit_facts *f)
     }
 }
 
+/* Prints the root mean square of the residuals of a prediction. */
+static void print_prediction(const murk_fit_facts *f)
+{
+    double squares = 0;
+    for (size_t i = 0; i < f->measured->rows; ++i) {
+        const double residual = f->found->row[i].residual;
+        squares += residual * residual;
+    }
+    murk_print("predicted   %zu rows, rms residual %.4g standard errors; each "
+               "row is in fit.csv\n",
+               f->measured->rows, sqrt(squares / (double)f->measured->rows));
+}
+
 static void print_next(const murk_fit_facts *f)
 {
     for (size_t i = 0; f->next && i < f->next->n; ++i) {
@@ -462,6 +476,9 @@ void murk_print_fit(const void *of)
                                              : c->held_out_rms_sigma);
         murk_print("%s\n", isfinite(c->held_out_rms) ? " in their unit"
                                                      : " of their errors");
+    }
+    if (f->only_predicts) {
+        print_prediction(f);
     }
     print_next(f);
 }

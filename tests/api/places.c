@@ -105,7 +105,7 @@ static void check_settings(const given *g)
         size_t n;
         murk_fit_options options;
     } fits[] = {{"loss", 1, {.loss = "cubic"}},
-                {"keys", 0, {0}},
+                {"next", 0, {.next = 1}},
                 {"predict", 1, {.predict = "fit.json"}}};
     for (size_t i = 0; i < sizeof fits / sizeof *fits; ++i) {
         murk_error error = MURK_ERROR_NONE;

@@ -194,6 +194,10 @@ def study_and_fit_agree(folder):
     mine = murk.Scene(file=room).fit(data, [key])
     check(mine["parameters"] == theirs["parameters"] and mine["chi2"] == theirs["chi2"], "a fit of a scene file")
     mine.save(os.path.join(folder, "saved-fit"))
+    predicted = murk.Scene(file=room).fit(data)
+    predicted.save(os.path.join(folder, "predicted"))
+    check(predicted.parameters == [] and predicted.data.rows == 2 and
+          os.path.exists(os.path.join(folder, "predicted", "predict.json")), "a prediction at the values of a scene")
     check(without_run(os.path.join(folder, "saved-fit", "fit.json"))["parameters"] == theirs["parameters"], "a saved fit")
     found = murk.read_keys(os.path.join(folder, "saved-fit", "calibrated.yaml"))
     check(abs(found[key] / mine.parameters[0].value - 1) < 1e-4, "the keys that a fit has found")

@@ -24,6 +24,8 @@ mkdir "$program" "$api"
     --emit 2000 -o "$program/fit" -q 2>"$work/refused" || { cat "$work/refused"; exit 1; }
 "$murk" fit "$fog" --data "$data" --predict "$program/fit/fit.json" --emit 2000 -o "$program/predict" \
     -q 2>"$work/refused" || { cat "$work/refused"; exit 1; }
+"$murk" fit "$fog" --data "$data" --emit 2000 -o "$program/predict_scene" -q 2>"$work/refused" ||
+    { cat "$work/refused"; exit 1; }
 "$saves" "$room" "$scenes/log-study.yaml" "$fog" "$data" "$api"
 
 # without_run FILE: a JSON up to `run`

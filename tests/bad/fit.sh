@@ -102,7 +102,6 @@ refused 'asked for twice' "$beams" --free $fog,$fog
 refused '@dim behind the key, must be @each' "$lights" --free $fog@dim
 refused 'no reading of' "$beams" --free gain.a
 refused 'must be words with commas between' "$beams" --free ''
-refused 'fit needs --free KEY' "$beams"
 refused 'fits nothing' "$beams" --free $fog --predict fit.json
 refused 'cannot read' "$beams" --predict "$dir/nowhere.json"
 refused 'has no list of parameters' "$beams" --predict "$dir/scene.yaml"

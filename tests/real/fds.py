@@ -80,7 +80,7 @@ def depths(folder, lines, time_s, mesh="all"):
         print("kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error", file=to)
         for line in lines:
             print("transmittance," + ",".join(repr(x) for x in line) + ",fraction,.5,.1", file=to)
-    done = subprocess.run([murk, "fit", scene, "--data", data, "-o", out, "--force", "--quiet", "--free", "lights.0.power_w"])
+    done = subprocess.run([murk, "fit", scene, "--data", data, "-o", out, "--force", "--quiet"])
     check(done.returncode == 0, "lines are predicted")
     with open(out / "fit.csv") as table:
         return [-math.log(float(row["predicted"])) for row in csv.DictReader(table)]

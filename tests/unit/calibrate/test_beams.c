@@ -1,4 +1,5 @@
-/* Transmittance of segments at the values of a fit. Nothing here is random. */
+/* Transmittance of segments and extinction at points at the values of a fit.
+ * Nothing here is random. */
 #define _DEFAULT_SOURCE /* mkdtemp */
 #include "calibrate/beams.h"
 
@@ -40,10 +41,18 @@ static murk_reading segment(double x1, double y1, double z1, double x2,
                           .standard_error = 0.01};
 }
 
-/* Through `stage`, with the numbers of `values` (the same scene, overridden).
- */
-static double transmittance(const murk_stage *stage, const murk_stage *values,
-                            const murk_reading *reading)
+static murk_reading point(double x, double y, double z)
+{
+    murk_reading out = segment(x, y, z, x, y, z);
+    out.kind = MURK_READ_EXTINCTION;
+    out.unit = MURK_UNIT_EXTINCTION_PER_M;
+    return out;
+}
+
+/* The value of a reading in `stage`, with the numbers of `values` (the same
+ * scene, overridden). */
+static double value_of(const murk_stage *stage, const murk_stage *values,
+                       const murk_reading *reading)
 {
     murk_error err = {0};
     murk_beams *beams = NULL;
@@ -53,7 +62,7 @@ static double transmittance(const murk_stage *stage, const murk_stage *values,
         .phases = values->phases,
         .scene = (murk_scene_desc *)(uintptr_t)values->scene};
     CHECK(murk_beams_create(&beams, stage, &optics, &err) == MURK_OK);
-    CHECK(murk_beam_transmittance(&out, beams, reading, &err) == MURK_OK);
+    CHECK(murk_beam_read(&out, beams, reading, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     murk_beams_destroy(beams);
     return out;
@@ -71,16 +80,16 @@ static void test_layers_by_hand(void)
     const double blue = (0.15 + 0.1) / 2 + 0.4 / 2 * 3 + 2 * 0.05;
     const double green = 0.1 + 0.3 * 3 + 2 * 0.02;
     r.band = 0;
-    CHECK_NEAR(transmittance(stage, stage, &r), exp(-1.25 * blue), EXACT);
+    CHECK_NEAR(value_of(stage, stage, &r), exp(-1.25 * blue), EXACT);
     r.band = 1;
-    CHECK_NEAR(transmittance(stage, stage, &r), exp(-1.25 * green), EXACT);
+    CHECK_NEAR(value_of(stage, stage, &r), exp(-1.25 * green), EXACT);
     r.band = -1;
-    CHECK_NEAR(transmittance(stage, stage, &r),
+    CHECK_NEAR(value_of(stage, stage, &r),
                (exp(-1.25 * blue) + exp(-1.25 * green)) / 2, EXACT);
     /* and as the world itself has it, the other way round */
     const murk_reading back = segment(3, 0, 5, 0, 0, 1);
     CHECK_NEAR(
-        transmittance(stage, stage, &back),
+        value_of(stage, stage, &back),
         (murk_media_transmittance(stage->media, 0, 0, r.position, r.to) +
          murk_media_transmittance(stage->media, 1, 0, r.position, r.to)) /
             2,
@@ -101,9 +110,9 @@ static void test_values_of_another_scene(void)
     if (stage && other) {
         murk_reading r = segment(0, 0, 0, 0, 0, 5);
         r.band = 0;
-        CHECK_NEAR(transmittance(stage, other, &r),
+        CHECK_NEAR(value_of(stage, other, &r),
                    exp(-(0.3 + 0.8 / 2 * 2 + 2.5 * 0.1)), EXACT);
-        CHECK_NEAR(transmittance(stage, stage, &r),
+        CHECK_NEAR(value_of(stage, stage, &r),
                    exp(-(0.3 + 0.4 / 2 * 3 + 3 * 0.05)), EXACT);
     }
     CHECK(stage && other);
@@ -128,14 +137,51 @@ static void test_acceptance(void)
         r.band = 1;
         r.acceptance_rad = 0.1;
         const double layer = 0.1 * (1 - 0.9 * accepted(0.6, 0.1));
-        CHECK_NEAR(transmittance(stage, stage, &r),
+        CHECK_NEAR(value_of(stage, stage, &r),
                    exp(-4 * (layer + 0.02 * (1 - 0.5 * accepted(0.9, 0.1)))),
                    1e-9);
-        CHECK_NEAR(transmittance(stage, other, &r),
+        CHECK_NEAR(value_of(stage, other, &r),
                    exp(-4 * (layer + 0.02 * (1 - 0.5 * accepted(0.8, 0.1)))),
                    1e-9);
         r.acceptance_rad = 0;
-        CHECK_NEAR(transmittance(stage, stage, &r), exp(-4 * 0.12), EXACT);
+        CHECK_NEAR(value_of(stage, stage, &r), exp(-4 * 0.12), EXACT);
+    }
+    CHECK(stage && other);
+    stage_text_destroy(stage);
+    stage_text_destroy(other);
+}
+
+/* The extinction at a point is the sum of all media there, at the values of the
+ * other scene. */
+static void test_extinction_at_points(void)
+{
+    static const char *const changed[] = {
+        "media.layer.profile.extinction_per_m.2=[0.8, 0.3]",
+        "media.haze.extinction_per_m=0.1", NULL};
+    murk_stage *stage = stage_text_create(layered, NULL);
+    murk_stage *other = stage_text_create(layered, changed);
+    if (stage && other) {
+        murk_reading r = point(1, 2, 2.75); /* a quarter of the upper layer */
+        r.band = 0;
+        CHECK_NEAR(value_of(stage, stage, &r), .3 + .05, EXACT);
+        CHECK_NEAR(value_of(stage, other, &r), .6 + .1, EXACT);
+        r.band = -1;
+        CHECK_NEAR(value_of(stage, stage, &r), (.35 + .32) / 2, EXACT);
+        r.unit = MURK_UNIT_VISIBILITY_M;
+        CHECK_NEAR(value_of(stage, stage, &r), 3.912 / .335, 1e-10);
+        r = point(0, 0, 8); /* above all media */
+        CHECK(value_of(stage, stage, &r) == 0);
+        r.unit = MURK_UNIT_MOR_M;
+        CHECK(value_of(stage, stage, &r) > 1e16);
+        CHECK(isfinite(value_of(stage, stage, &r)));
+        /* Light that is scattered forward is not lost. */
+        r = point(0, 0, 0.5);
+        r.band = 1;
+        r.acceptance_rad = 0.1;
+        CHECK_NEAR(value_of(stage, stage, &r),
+                   .1 * (1 - .9 * accepted(.6, .1)) +
+                       .02 * (1 - .5 * accepted(.9, .1)),
+                   1e-9);
     }
     CHECK(stage && other);
     stage_text_destroy(stage);
@@ -190,6 +236,11 @@ static void test_refusals(void)
     CHECK_MENTIONS(err.text, "index of refraction changes");
     err = refusal(walled, segment(0, 5, 0.1, 0, 5, 0.2));
     CHECK_MENTIONS(err.text, "inside a solid");
+    err = refusal(walled, point(0, 5, 0.1));
+    CHECK_TEXT(err.where, "beams.csv:7");
+    CHECK_TEXT(err.text, "the point [0, 5, 0.1] m is inside a solid, must be "
+                         "outside of all");
+    CHECK_TEXT(refusal(walled, point(0, 0, -4)).text, "");
     /* from wall to sheet, through water, beside the walls: all open */
     CHECK_TEXT(refusal(walled, segment(1, 0, 0, -1, 0, 0)).text, "");
     CHECK_TEXT(refusal(walled, segment(0, 0, -4, 5, 5, -8)).text, "");
@@ -221,15 +272,23 @@ static void test_acceptance_needs_one_albedo(void)
     CHECK_TEXT(refusal(text, r).text, "");
     r.acceptance_rad = 0.01;
     CHECK_MENTIONS(refusal(text, r).text, "albedo is a grid");
+    murk_reading p = point(0.1, 0, 0);
+    CHECK_TEXT(refusal(text, p).text, "");
+    p.acceptance_rad = 0.01;
+    CHECK_MENTIONS(refusal(text, p).text, "albedo is a grid");
     /* grids are the stage's: half a metre and one and a half of density 1 */
     murk_stage *stage = stage_text_create(text, NULL);
     r = segment(-2, 0, 0, 2, 0, 0);
     if (stage) {
         CHECK_NEAR(
-            transmittance(stage, stage, &r),
+            value_of(stage, stage, &r),
             murk_media_transmittance(stage->media, 0, 0, r.position, r.to),
             EXACT);
-        CHECK(transmittance(stage, stage, &r) < 0.9);
+        CHECK(value_of(stage, stage, &r) < 0.9);
+        p = point(0.1, 0, 0);
+        CHECK(value_of(stage, stage, &p) == 3);
+        p = point(4, 0, 0);
+        CHECK(value_of(stage, stage, &p) == 0);
     }
     stage_text_destroy(stage);
     unlink(path);
@@ -281,10 +340,13 @@ static void test_in_a_mesh(void)
     const murk_reading across = segment(-3, 0.1, 0.2, 3, 0.1, 0.2);
     const murk_reading from_within = segment(0.5, 0.1, 0.2, 3, 0.1, 0.2);
     if (stage && other) {
-        CHECK_NEAR(transmittance(stage, stage, &across), exp(-2 * 0.3), 1e-6);
-        CHECK_NEAR(transmittance(stage, other, &across), exp(-2 * 0.7), 1e-6);
-        CHECK_NEAR(transmittance(stage, other, &from_within), exp(-0.5 * 0.7),
-                   1e-6);
+        CHECK_NEAR(value_of(stage, stage, &across), exp(-2 * 0.3), 1e-6);
+        CHECK_NEAR(value_of(stage, other, &across), exp(-2 * 0.7), 1e-6);
+        CHECK_NEAR(value_of(stage, other, &from_within), exp(-0.5 * 0.7), 1e-6);
+        const murk_reading within = point(0.5, 0.1, 0.2);
+        const murk_reading beside = point(1.5, 0.1, 0.2);
+        CHECK(value_of(stage, other, &within) == 0.7);
+        CHECK(value_of(stage, other, &beside) == 0);
     }
     CHECK(stage && other);
     stage_text_destroy(stage);
@@ -314,7 +376,7 @@ static void test_periodic(void)
     const murk_reading r = segment(-8, 0, 0, 8, 0, 0);
     CHECK(stage != NULL);
     if (stage) {
-        CHECK_NEAR(transmittance(stage, stage, &r), exp(-1.6), EXACT);
+        CHECK_NEAR(value_of(stage, stage, &r), exp(-1.6), EXACT);
     }
     stage_text_destroy(stage);
 }
@@ -327,6 +389,7 @@ int main(void)
     test_layers_by_hand();
     test_values_of_another_scene();
     test_acceptance();
+    test_extinction_at_points();
     test_refusals();
     return check_done();
 }

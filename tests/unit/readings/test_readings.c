@@ -196,8 +196,40 @@ static void test_units_compare_with_a_transmittance(void)
     check_unit(MURK_UNIT_MOR_M, t, 3, 2.996 / .2);
     check_unit(MURK_UNIT_TRANSMISSION_PERCENT_PER_M, t, 3, 100 * exp(-.2));
     check_unit(MURK_UNIT_OBSCURATION_PERCENT_PER_M, t, 3, 100 * (1 - exp(-.2)));
+    check_unit(MURK_UNIT_OBSCURATION_PERCENT, t, 3, 100 * (1 - t));
+    check_unit(MURK_UNIT_OPTICAL_DEPTH, t, 3, .6);
     /* 10 dB a decade: 200 /km * 4.342944819 */
     check_unit(MURK_UNIT_DB_PER_KM, t, 3, 868.5889638065036);
+}
+
+/* The same units of an extinction of .2 per m, which is .6 over 3 m. */
+static void test_units_of_an_extinction(void)
+{
+    double unused;
+    /* Units with a law, but those of a whole segment. */
+    for (int u = 0; u < MURK_READING_UNITS; ++u) {
+        const murk_reading_unit unit = (murk_reading_unit)u;
+        murk_reading_unit found;
+        murk_error err = {0};
+        const murk_status status =
+            murk_reading_unit_find(&found, murk_reading_unit_name(unit),
+                                   MURK_READ_EXTINCTION, "here", &err);
+        const bool is_total = unit == MURK_UNIT_OBSCURATION_PERCENT ||
+                              unit == MURK_UNIT_OPTICAL_DEPTH;
+        CHECK((status == MURK_OK) ==
+              (murk_reading_unit_law(unit) != NULL && !is_total));
+        if (!status) {
+            const double want =
+                murk_reading_in_unit(unit, exp(-.6), 3, &unused);
+            CHECK_NEAR(murk_reading_of_extinction(unit, .2), want,
+                       1e-12 * want);
+            CHECK(isfinite(murk_reading_of_extinction(unit, 0)));
+        }
+    }
+    murk_reading_unit usual = MURK_UNIT_FRACTION;
+    CHECK(murk_reading_unit_find(&usual, "", MURK_READ_EXTINCTION, "here",
+                                 NULL) == MURK_OK);
+    CHECK(usual == MURK_UNIT_EXTINCTION_PER_M);
 }
 
 static void test_units_are_finite_everywhere(void)
@@ -393,6 +425,7 @@ int main(void)
     test_a_group_of_coverage_is_one_row();
     test_derived_units_are_logged_once();
     test_units_compare_with_a_transmittance();
+    test_units_of_an_extinction();
     test_units_are_finite_everywhere();
     test_light_counts_by_band();
     /* Refused files. */
