@@ -147,8 +147,8 @@ typedef struct several {
     murk_earlier_rows rows[MURK_SCENE_CONDITIONS_MAX];
     const murk_known_rows *known[MURK_SCENE_CONDITIONS_MAX];
     murk_scenarios *scenarios;
-    uint32_t *tested; /* [n][poses] sightlines of each row; NULL: the matrix
-                       * does not stay */
+    murk_row_counts *tested; /* [n][poses] sightlines of each row; NULL: the
+                              * matrix does not stay */
 } several;
 
 /* Makes the sights of the later steps, and finds the rows that all can take

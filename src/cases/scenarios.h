@@ -50,10 +50,10 @@ murk_status murk_scenarios_create(murk_scenarios **out,
 typedef struct murk_scenarios_rows {
     const murk_known_rows *const *known; /* [n] of each scenario; an element
                                           * NULL: none */
-    uint32_t *tested; /* [n][candidates] gets the sightlines of each row; NULL:
-                       * nobody asks */
-    uint64_t memory_taken; /* of the memory for rows, in bytes */
-    bool has_columns;      /* as in murk_problem */
+    murk_row_counts *tested; /* [n][candidates] gets the sightlines of each row;
+                              * NULL: nobody asks */
+    uint64_t memory_taken;   /* of the memory for rows, in bytes */
+    bool has_columns;        /* as in murk_problem */
 } murk_scenarios_rows;
 murk_status
 murk_scenarios_create_from(murk_scenarios **out, const murk_scene_desc *scene,

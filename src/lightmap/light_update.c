@@ -158,7 +158,8 @@ static void take_out(updating *u)
  */
 static murk_status trace_listed(updating *u, murk_error *err)
 {
-    murk_watching watching = {u->buffers, u->traced->cells};
+    murk_watching watching = {u->buffers, u->traced->cells,
+                              &u->stage->world.domain};
     murk_status status = MURK_OK;
     for (size_t k = 0; k < u->n; ++k) {
         u->traced->cells->crossed[u->photon[k]] = 0;

@@ -366,7 +366,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
     }
     e.tallies = traced->tallies;
     place_records(e.buffers, &forecast);
-    murk_watching watching = {e.buffers, NULL};
+    murk_watching watching = {e.buffers, NULL, &stage->world.domain};
     if (watched && murk_can_watch(stage)) {
         status = murk_path_cells_create(&traced->cells, watched, settings->emit,
                                         err);

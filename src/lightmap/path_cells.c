@@ -118,10 +118,13 @@ static uint64_t cross(const murk_path_cells *cells, murk_vec3 from,
     return bits;
 }
 
-void murk_path_cells_add(murk_path_cells *cells, const murk_event *event)
+void murk_path_cells_add(murk_path_cells *cells, const murk_domain *domain,
+                         const murk_event *event)
 {
     uint64_t *crossed = &cells->crossed[event->photon];
-    if (event->kind == MURK_EVENT_LOST || event->kind == MURK_EVENT_WRAPPED) {
+    if (event->kind == MURK_EVENT_LOST ||
+        (event->kind == MURK_EVENT_WRAPPED &&
+         murk_trace_may_jump(domain, event->direction_in))) {
         *crossed = UINT64_MAX;
     } else if (event->kind == MURK_EVENT_EMITTED) {
         *crossed |= cross(cells, event->position, event->position);

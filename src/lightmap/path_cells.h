@@ -27,8 +27,10 @@ void murk_path_cells_destroy(murk_path_cells *cells); /* NULL is fine */
 
 /* Adds the segment that ends at an event of a photon. Events of one photon must
  * not come from two threads at once. All cells count as crossed by photons that
- * are lost, and by those that pass a side of a periodic domain. */
-void murk_path_cells_add(murk_path_cells *cells, const murk_event *event);
+ * are lost, and by those that pass a side of a periodic domain in a direction
+ * in which photons may jump, because jumps depend on all heights. */
+void murk_path_cells_add(murk_path_cells *cells, const murk_domain *domain,
+                         const murk_event *event);
 
 /* The cells that have a point in one of the boxes. False if a box reaches out
  * of the cells within `domain`, beyond which no photon goes: then the cells do

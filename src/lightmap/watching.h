@@ -11,14 +11,14 @@
 #define MURK_WATCHED_PHOTONS_MAX 100000000
 
 /* True if an update of the light can make use of paths: photons.emit, at most
- * MURK_WATCHED_PHOTONS_MAX photons, free flight by marching, an open domain,
- * one rank. */
+ * MURK_WATCHED_PHOTONS_MAX photons, free flight by marching, one rank. */
 bool murk_can_watch(const murk_stage *stage);
 
 /* The receivers of all events. */
 typedef struct murk_watching {
     murk_record_buffers *buffers;
     murk_path_cells *cells;
+    const murk_domain *domain;
 } murk_watching;
 
 /* A murk_event_sink with a murk_watching as context. */

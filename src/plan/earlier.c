@@ -4,6 +4,8 @@
 
 #include "base/ranks.h"
 #include "base/sort.h"
+#include "geometry/changed_surfaces.h"
+#include "medium/interfaces.h"
 #include "world/changed_world.h"
 
 #include <stdlib.h>
@@ -369,6 +371,25 @@ static bool accepts_scattered(const murk_scene_desc *scene)
     return accepts;
 }
 
+/* Finds the places at which sightlines may differ. If interfaces or meshes that
+ * may be interfaces differ, all places have changed: the number of sightlines
+ * that a row loses to interfaces does not tell which they were. */
+static murk_status find_places(murk_sight_changes *out, const murk_stage *a,
+                               const murk_stage *b, murk_world_use what,
+                               murk_error *err)
+{
+    murk_box_list meshes = {0};
+    murk_status status = murk_changed_world(&out->changed, a, b, what, err);
+    out->surfaces = a->surfaces;
+    if (!status && murk_media_bends(b->media)) {
+        status = murk_changed_boundary_meshes(&meshes, a->boundary_meshes,
+                                              b->boundary_meshes, err);
+        out->changed.are_all =
+            out->changed.are_all || meshes.are_all || meshes.n > 0;
+    }
+    return status;
+}
+
 /* ---- rows ---- */
 
 static bool has_bit(const uint64_t *bits, uint32_t i)
@@ -432,12 +453,13 @@ static bool get_known(void *context, unsigned worker, size_t candidate,
     const uint32_t before = rows->candidate[candidate];
     const size_t words = murk_sight_photons(rows->sight) / 64 + 1;
     size_t n;
-    if (before == NO_CANDIDATE || rows->tested[before] == MURK_NOT_TESTED ||
+    if (before == NO_CANDIDATE ||
+        rows->tested[before].tested == MURK_NOT_TESTED ||
         !murk_matrix_list(s->slot, s->slot_clarity, &n, rows->matrix, before)) {
         return false;
     }
     murk_sight_row_again(rows->sight, worker, &rows->poses->pose[candidate],
-                         &rows->changes, rows->tested[before], s->again,
+                         &rows->changes, &rows->tested[before], s->again,
                          &s->come);
     take_over(rows, s, n);
     for (size_t k = 0; k < s->come.seen; ++k) {
@@ -486,8 +508,8 @@ static void take_hashes(murk_earlier_rows *rows, size_t photons,
     bool are_same = hash && murk_ranks_count() == 1 &&
                     earlier_candidates == rows->poses->count;
     for (size_t i = 0; i < rows->poses->count && are_same; ++i) {
-        are_same =
-            rows->candidate[i] == i && rows->tested[i] != MURK_NOT_TESTED;
+        are_same = rows->candidate[i] == i &&
+                   rows->tested[i].tested != MURK_NOT_TESTED;
     }
     if (!are_same) {
         return;
@@ -523,8 +545,8 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     const murk_world_use what = accepts_scattered(stage->scene)
                                     ? MURK_USE_ACCEPTING_SIGHT
                                     : MURK_USE_SIGHT;
-    const murk_status status = murk_changed_world(
-        &rows.changes.changed, earlier->stage, stage, what, err);
+    const murk_status status =
+        find_places(&rows.changes, earlier->stage, stage, what, err);
     if (status || rows.changes.changed.are_all) {
         return status == MURK_NO_MEMORY ? MURK_OK : status;
     }

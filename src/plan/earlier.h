@@ -13,14 +13,14 @@
 #include "world/stage.h"
 
 /* What an earlier plan leaves: its world and light, its candidates, the matrix
- * that it was chosen from, NULL if it was not stored, and the number of
- * sightlines of each row (murk_sight_tested()). All is borrowed, but for the
+ * that it was chosen from, NULL if it was not stored, and the sightlines
+ * of each row (murk_sight_counts()). All is borrowed, but for the
  * matrix, which is destroyed when the new rows are complete. */
 typedef struct murk_earlier_plan {
     const murk_stage *stage;
     const murk_traced *traced;
     const murk_poses *poses;
-    const uint32_t *tested; /* [poses] */
+    const murk_row_counts *tested; /* [poses] */
     murk_matrix **matrix;
     size_t first; /* number of the first photon of this light in the matrix,
                    * which may have those of other steps, too */
@@ -48,7 +48,7 @@ typedef struct murk_earlier_rows {
     murk_sight *sight;     /* of the new plan */
     const murk_poses *poses;
     const murk_matrix *matrix;
-    const uint32_t *tested;
+    const murk_row_counts *tested;
     size_t offset;       /* first photon of the earlier light in its matrix */
     uint32_t *same;      /* [photons of the new plan] number of the equal
                           * photon of the earlier plan; UINT32_MAX: none */

@@ -308,7 +308,7 @@ void murk_plan_forget_earlier(murk_plan_result *plan)
  * that is asked for and the rows leave half of the memory for those of the next
  * plan; else destroys them. */
 static void keep_matrix(murk_plan_result *plan, murk_matrix *matrix,
-                        uint32_t *tested, uint64_t memory)
+                        murk_row_counts *tested, uint64_t memory)
 {
     if (matrix && tested && murk_matrix_bytes(matrix) <= memory / 2) {
         plan->matrix = matrix;
@@ -319,11 +319,11 @@ static void keep_matrix(murk_plan_result *plan, murk_matrix *matrix,
     free(tested);
 }
 
-uint32_t *murk_plan_note_sightlines(size_t candidates)
+murk_row_counts *murk_plan_note_sightlines(size_t candidates)
 {
-    uint32_t *tested = malloc(candidates * sizeof *tested + 1);
+    murk_row_counts *tested = malloc(candidates * sizeof *tested + 1);
     for (size_t i = 0; tested && i < candidates; ++i) {
-        tested[i] = MURK_NOT_TESTED;
+        tested[i] = (murk_row_counts){.tested = MURK_NOT_TESTED};
     }
     return tested;
 }

@@ -135,8 +135,8 @@ typedef struct murk_plan_result {
                                        * destroyed by then */
     murk_matrix *matrix; /* of a known environment, with keeps_matrix, unless it
                           * takes more than half of memory_mb; else NULL */
-    uint32_t *tested;    /* [poses] sightlines of each row, with `matrix`; with
-                          * `ahead` [steps of the matrix][poses] */
+    murk_row_counts *tested; /* [poses] sightlines of each row, with `matrix`;
+                              * with `ahead` [steps of the matrix][poses] */
     murk_candidates *candidates;
     murk_poses *poses; /* poses of the candidates: the choices of placement */
     murk_place_result place;
@@ -217,7 +217,7 @@ murk_status murk_plan_take_free(murk_plan_result *plan, murk_place_result *any,
 
 /* Numbers of sightlines for so many rows of a matrix that stays; NULL when out
  * of memory, and the matrix then does not stay. The caller frees it. */
-uint32_t *murk_plan_note_sightlines(size_t candidates);
+murk_row_counts *murk_plan_note_sightlines(size_t candidates);
 
 /* Destroys the matrix of plan->earlier, whose rows are not needed again. */
 void murk_plan_forget_earlier(murk_plan_result *plan);

@@ -19,9 +19,7 @@ static void count_lost(const murk_across *a, const murk_side *facing,
         murk_field_contains(a->field, offset) &&
         (!facing || murk_side_faces(facing, image, p->position,
                                     a->sight->position_error_m))) {
-        murk_tally_add(is_reflected ? &a->sight->totally_reflected
-                                    : &a->sight->blocked_by_interfaces,
-                       1);
+        ++*(is_reflected ? &a->counts->reflected : &a->counts->bent);
     }
 }
 
@@ -44,7 +42,7 @@ static bool is_open(const murk_across *a, const murk_photon *photon,
                           murk_photon_direction(photon))) {
         return false;
     }
-    murk_tally_add(&a->sight->shadow_rays, 1);
+    ++a->counts->tested;
     return !murk_refracted_path_blocked(path, a->sensor,
                                         a->sight->desc.surfaces,
                                         a->sight->desc.through_sheets);

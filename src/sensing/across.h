@@ -14,7 +14,8 @@
 #include "sensing/sight_parts.h"
 
 typedef struct murk_across {
-    murk_sight *sight; /* settings, and counters of tests and losses */
+    const murk_sight *sight; /* settings */
+    murk_row_counts *counts; /* tests and losses are added */
     const murk_path_viewpoint *sensor;
     const murk_field *field;
     double range_m;

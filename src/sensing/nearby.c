@@ -45,25 +45,53 @@ static void merge(uint32_t *found, size_t n, size_t added)
     }
 }
 
+/* The photons of a map, or of a list if map is NULL. */
+typedef struct photons {
+    const murk_photon_map *map;
+    const murk_photon *photon;
+    size_t n;
+} photons;
+
+static size_t within(const photons *of, murk_vec3 center, double range_m,
+                     uint32_t *found)
+{
+    return of->map
+               ? murk_photon_map_within(of->map, center, range_m, found)
+               : murk_photons_within(of->photon, of->n, center, range_m, found);
+}
+
+static size_t nearby(const photons *of, const murk_domain *domain,
+                     murk_vec3 sensor, double range_m, uint32_t *found)
+{
+    if (!domain->is_periodic) {
+        return within(of, sensor, range_m, found);
+    }
+    /* Each photon is kept for one image only, so the merged runs and the copy
+     * of a run fit into twice the number of photons. */
+    size_t n = 0;
+    for (int k = 0; k < murk_domain_images(domain); ++k) {
+        const murk_vec3 image = murk_domain_image(domain, sensor, k);
+        const size_t in = within(of, image, range_m, found + n);
+        const size_t added =
+            keep_nearest(found + n, in, of->photon, domain, sensor, k);
+        merge(found, n, added);
+        n += added;
+    }
+    return n;
+}
+
 size_t murk_photons_nearby(const murk_photon_map *map,
                            const murk_domain *domain, murk_vec3 sensor,
                            double range_m, uint32_t *found)
 {
-    if (!domain->is_periodic) {
-        return murk_photon_map_within(map, sensor, range_m, found);
-    }
-    /* Each photon is kept for one image only, so the merged runs and the copy
-     * of a run fit into twice the number of photons. */
-    const murk_photon *photon = murk_photon_map_photons(map);
-    size_t photons = 0;
-    for (int k = 0; k < murk_domain_images(domain); ++k) {
-        const murk_vec3 image = murk_domain_image(domain, sensor, k);
-        const size_t n =
-            murk_photon_map_within(map, image, range_m, found + photons);
-        const size_t added =
-            keep_nearest(found + photons, n, photon, domain, sensor, k);
-        merge(found, photons, added);
-        photons += added;
-    }
-    return photons;
+    const photons of = {.map = map, .photon = murk_photon_map_photons(map)};
+    return nearby(&of, domain, sensor, range_m, found);
+}
+
+size_t murk_photons_listed_nearby(const murk_photon *photon, size_t n,
+                                  const murk_domain *domain, murk_vec3 sensor,
+                                  double range_m, uint32_t *found)
+{
+    const photons of = {.photon = photon, .n = n};
+    return nearby(&of, domain, sensor, range_m, found);
 }

@@ -18,4 +18,9 @@ size_t murk_photons_nearby(const murk_photon_map *map,
                            const murk_domain *domain, murk_vec3 sensor,
                            double range_m, uint32_t *found);
 
+/* The same of n records in memory, with their indices in the list. */
+size_t murk_photons_listed_nearby(const murk_photon *photon, size_t n,
+                                  const murk_domain *domain, murk_vec3 sensor,
+                                  double range_m, uint32_t *found);
+
 #endif

@@ -148,8 +148,18 @@ void murk_sight_own_maps(murk_sight *sight, murk_photon_map *surface,
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
                     murk_sparse_row *row);
 
-/* How this sight differs from an earlier one of the same sensor types and
- * settings: in some photons, and in sightlines that meet a changed place. */
+/* The sightlines of a row: those that were tested, or reused, and those that
+ * were lost to interfaces, as in murk_sight_work. */
+typedef struct murk_row_counts {
+    uint32_t tested, bent, reflected;
+} murk_row_counts;
+
+/* In place of the number of tested sightlines: the row is not computed here. */
+#define MURK_NOT_TESTED UINT32_MAX
+
+/* How this sight differs from an earlier one of the same sensor types, settings
+ * and interfaces: in some photons, and in sightlines that meet a changed place.
+ */
 typedef struct murk_sight_changes {
     /* The photons that the earlier sight had not, those of the surface map
      * first: their numbers in their map, rising, their records, and a bit for
@@ -160,30 +170,28 @@ typedef struct murk_sight_changes {
     const uint64_t *is_added;
     const murk_photon *gone; /* [gone_photons] those that this sight has not */
     size_t gone_photons;
-    murk_box_list changed; /* enlarged for the rounding of sightlines */
+    murk_box_list changed;         /* enlarged for the rounding of sightlines */
+    const murk_surfaces *surfaces; /* of the earlier sight */
 } murk_sight_changes;
 
-/* True if rows may be taken over from an earlier sight: sightlines are straight
- * and not counted when a boundary of a refractive index bends them, the domain
- * has no images, and detection is not by power. */
+/* True if rows may be taken over from an earlier sight: detection is not by
+ * power. */
 bool murk_sight_may_know(const murk_sight *sight);
 
 /* The part of murk_sight_row() that may differ from the row of the earlier
  * sight: the entries of photons that were added or whose sightlines meet a
  * changed place. Sets a bit in tested[photons / 64] for each photon whose
  * sightline was tested; of these, *row has those that are seen. The sightlines
- * that the row has in common with the earlier row, of which `before` were
- * tested, are counted as if they were tested, and as reused. */
+ * that the row has in common with the earlier row, which had `before`, are
+ * counted as if they were tested, and as reused. */
 void murk_sight_row_again(murk_sight *sight, unsigned worker,
                           const murk_pose *pose,
-                          const murk_sight_changes *changes, uint32_t before,
-                          uint64_t *tested, murk_sparse_row *row);
+                          const murk_sight_changes *changes,
+                          const murk_row_counts *before, uint64_t *tested,
+                          murk_sparse_row *row);
 
-/* In place of a number of sightlines: the row is not computed here. */
-#define MURK_NOT_TESTED UINT32_MAX
-
-/* The number of sightlines of the last row of a worker, tested or reused. */
-uint32_t murk_sight_tested(const murk_sight *sight, unsigned worker);
+/* The sightlines of the last row of a worker. */
+murk_row_counts murk_sight_counts(const murk_sight *sight, unsigned worker);
 
 /* The same for the photons that are needed; false, without a row, if the row
  * was given up (murk_problem.get_part). Sightlines to other photons are not
@@ -224,8 +232,8 @@ typedef struct murk_sight_problem {
     murk_sight *sight;
     const murk_pose *pose;
     const murk_known_rows *known; /* of murk_sight_problem_know(), or NULL */
-    uint32_t *tested; /* [candidates] gets the number of sightlines of each row
-                       * (murk_sight_tested()); NULL: nobody asks */
+    murk_row_counts *tested; /* [candidates] gets the sightlines of each row;
+                              * NULL: nobody asks */
 } murk_sight_problem;
 void murk_sight_problem_init(murk_sight_problem *out, murk_sight *sight,
                              const murk_pose *pose, size_t n);

@@ -300,7 +300,7 @@ static void get_row(void *context, unsigned worker, size_t candidate,
         murk_sight_row(p->sight, worker, pose, out);
     }
     if (p->tested) {
-        p->tested[candidate] = murk_sight_tested(p->sight, worker);
+        p->tested[candidate] = murk_sight_counts(p->sight, worker);
     }
 }
 

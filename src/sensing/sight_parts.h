@@ -8,9 +8,9 @@
 
 /* The scratch buffers of a worker for one row. */
 typedef struct murk_scratch {
-    uint32_t *photon;  /* indices of photons */
-    uint16_t *clarity; /* NULL if all entries are MURK_CLEAR */
-    uint32_t tested;   /* sightlines of the row */
+    uint32_t *photon;       /* indices of photons */
+    uint16_t *clarity;      /* NULL if all entries are MURK_CLEAR */
+    murk_row_counts counts; /* sightlines of the row */
 } murk_scratch;
 
 struct murk_sight {

@@ -10,6 +10,7 @@
  * murk_sight_depths() computes the optical depths along sightlines with the
  * same routines, without rounding. */
 #include "sensing/across.h"
+#include "sensing/changed_lines.h"
 #include "sensing/nearby.h"
 #include "sensing/sight_parts.h"
 
@@ -42,12 +43,13 @@ typedef struct row_search {
     murk_across across;            /* only with sight->interfaces */
     uint32_t *photon;
     uint16_t *clarity;
-    size_t seen, tested; /* photons seen, and sightlines tested */
+    size_t seen;            /* photons */
+    murk_row_counts counts; /* sightlines */
     bool is_binary;
 } row_search;
 
-static void test_surfaces(const row_search *l, const murk_vec3 *from, size_t n,
-                          bool *blocked)
+static void test_surfaces(const row_search *l, const murk_surfaces *surfaces,
+                          const murk_vec3 *from, size_t n, bool *blocked)
 {
     const murk_sight_desc *desc = &l->sight->desc;
     if (desc->visibility == MURK_VISIBILITY_NORMAL) {
@@ -56,31 +58,36 @@ static void test_surfaces(const row_search *l, const murk_vec3 *from, size_t n,
         }
         return;
     }
-    murk_tally_add(&l->sight->shadow_rays, (int64_t)n);
     if (!desc->domain.is_periodic) {
-        murk_surfaces_blocked_many(desc->surfaces, from, n, l->sensor,
+        murk_surfaces_blocked_many(surfaces, from, n, l->sensor,
                                    desc->through_sheets, blocked);
         return;
     }
     for (size_t i = 0; i < n; ++i) {
         const murk_vec3 to =
             murk_path_nearest_image(&desc->domain, l->sensor, from[i]);
-        blocked[i] = murk_path_blocked(desc->surfaces, &desc->domain, from[i],
-                                       to, desc->through_sheets);
+        blocked[i] = murk_path_blocked(surfaces, &desc->domain, from[i], to,
+                                       desc->through_sheets);
     }
 }
 
-static void test_sightlines(const row_search *l, const murk_vec3 *from,
-                            size_t n, bool *blocked)
+/* True if interfaces may end a straight sightline. */
+static bool may_bend(const row_search *l)
 {
-    test_surfaces(l, from, n, blocked);
-    const murk_sight_desc *desc = &l->sight->desc;
-    const bool may_bend =
-        l->sight->has_interfaces && desc->visibility == MURK_VISIBILITY_RAY;
-    for (size_t i = 0; may_bend && i < n; ++i) {
+    return l->sight->has_interfaces &&
+           l->sight->desc.visibility == MURK_VISIBILITY_RAY;
+}
+
+static void test_sightlines(row_search *l, const murk_vec3 *from, size_t n,
+                            bool *blocked)
+{
+    const bool bends = may_bend(l);
+    l->counts.tested += (uint32_t)n;
+    test_surfaces(l, l->sight->desc.surfaces, from, n, blocked);
+    for (size_t i = 0; bends && i < n; ++i) {
         if (!blocked[i] && murk_path_bends_to(&l->viewpoint, from[i])) {
             blocked[i] = true;
-            murk_tally_add(&l->sight->blocked_by_interfaces, 1);
+            ++l->counts.bent;
         }
     }
 }
@@ -154,7 +161,6 @@ static void add_visible(row_search *l, const murk_photon *photon,
                         const murk_vec3 *from, size_t n)
 {
     bool blocked[BLOCK];
-    l->tested += n;
     test_sightlines(l, from, n, blocked);
     for (size_t i = 0; i < n; ++i) {
         if (blocked[i]) {
@@ -346,25 +352,48 @@ static row_search begin(murk_sight *sight, unsigned worker,
         .is_binary = true};
 }
 
-/* The row that was found; the scratch buffer of the worker notes the number of
- * sightlines. */
+/* The row that was found, with these sightlines, which the scratch buffer of
+ * the worker notes and the counters add up. */
 static murk_sparse_row found_row(const row_search *l, unsigned worker,
-                                 size_t tested)
+                                 const murk_row_counts *counts)
 {
-    l->sight->worker[worker].tested = (uint32_t)tested;
+    murk_sight *sight = l->sight;
+    sight->worker[worker].counts = *counts;
+    if (sight->desc.visibility != MURK_VISIBILITY_NORMAL) {
+        murk_tally_add(&sight->shadow_rays, counts->tested);
+    }
+    murk_tally_add(&sight->blocked_by_interfaces, counts->bent);
+    murk_tally_add(&sight->totally_reflected, counts->reflected);
     return (murk_sparse_row){l->seen, l->photon,
                              l->is_binary ? NULL : l->clarity};
 }
 
 bool murk_sight_may_know(const murk_sight *sight)
 {
-    return !sight->has_interfaces && !sight->power &&
-           !sight->desc.domain.is_periodic;
+    return !sight->power;
 }
 
-uint32_t murk_sight_tested(const murk_sight *sight, unsigned worker)
+murk_row_counts murk_sight_counts(const murk_sight *sight, unsigned worker)
 {
-    return sight->worker[worker].tested;
+    return sight->worker[worker].counts;
+}
+
+/* Prepares the search across interfaces; *l stays where it is. */
+static void begin_across(row_search *l)
+{
+    murk_sight *sight = l->sight;
+    /* At grazing angles objects may appear farther away than any real distance.
+     * Their apparent distance is therefore limited by type->range_m, which may
+     * be infinite, and only the real distance of a query is limited by
+     * sight->max_m, which exceeds all of the domain. */
+    if (sight->interfaces) {
+        l->across = (murk_across){sight, &l->counts, &l->viewpoint, &l->field,
+                                  l->type->range_m};
+        l->query_m =
+            fmin(sight->max_m,
+                 murk_refracted_paths_range(sight->interfaces, &l->viewpoint,
+                                            l->type->range_m));
+    }
 }
 
 void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
@@ -373,46 +402,24 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
     const murk_sight_desc *desc = &sight->desc;
     row_search l = begin(sight, worker, pose);
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
+    begin_across(&l);
     /* Search both maps; volume photons are numbered after surface photons. */
-    if (sight->interfaces) {
-        /* At grazing angles objects may appear farther away than any real
-         * distance. Their apparent distance is therefore limited by
-         * type->range_m, which may be infinite, and only the real distance of a
-         * query is limited by sight->max_m, which exceeds all of the domain. */
-        l.across =
-            (murk_across){sight, &l.viewpoint, &l.field, l.type->range_m};
-        l.query_m = fmin(sight->max_m,
-                         murk_refracted_paths_range(
-                             sight->interfaces, &l.viewpoint, l.type->range_m));
-    }
     search_map(&l, desc->surface_map, 0);
     search_map(&l, desc->volume_map,
                (uint32_t)murk_photon_map_count(desc->surface_map));
-    *out = found_row(&l, worker, l.tested);
+    *out = found_row(&l, worker, &l.counts);
 }
 
 /* ---- rows that change ---- */
-
-/* The boxes that a sightline within range can meet. A photon is found up to the
- * range in single precision, and its sightline begins off the surface. */
-static murk_box_list within_range(const row_search *l, const murk_box_list *all)
-{
-    const double range_m = 1.001 * l->range_m;
-    murk_box_list near = {.are_all = all->are_all};
-    for (size_t i = 0; i < all->n; ++i) {
-        if (murk_box_distance(&all->box[i], l->sensor) <= range_m) {
-            near.box[near.n++] = all->box[i];
-        }
-    }
-    return near;
-}
 
 /* The part of a row that may differ from that of an earlier sight. */
 typedef struct row_changes {
     const murk_sight_changes *of;
     murk_box_list near;
-    uint64_t *tested; /* a bit for each photon */
-    size_t added;     /* sightlines of photons that were added */
+    uint64_t *tested;        /* a bit for each photon */
+    murk_row_counts earlier; /* sightlines of the earlier row that are not taken
+                              * over: of photons that are gone, and those that
+                              * are tested again */
 } row_changes;
 
 /* The photons of a map that may be a part of the change: those that were added,
@@ -423,19 +430,82 @@ static size_t find_changed(const row_search *l, const row_changes *c,
                            uint32_t *found)
 {
     const murk_sight_changes *of = c->of;
+    const murk_domain *domain = &l->sight->desc.domain;
     if (c->near.n > 0 || c->near.are_all) {
-        return murk_photons_nearby(map, &l->sight->desc.domain, l->sensor,
-                                   l->query_m, found);
+        return murk_photons_nearby(map, domain, l->sensor, l->query_m, found);
     }
     const size_t first = is_volume ? of->added_surface : 0;
-    const size_t n =
-        murk_photons_within(of->added_photon + first,
-                            is_volume ? of->added_volume : of->added_surface,
-                            l->sensor, l->query_m, found);
+    const size_t n = murk_photons_listed_nearby(
+        of->added_photon + first,
+        is_volume ? of->added_volume : of->added_surface, domain, l->sensor,
+        l->query_m, found);
     for (size_t i = 0; i < n; ++i) {
         found[i] = of->added[first + found[i]];
     }
     return n;
+}
+
+/* True if the straight sightline from `at` meets a changed place. */
+static bool meets_change(const row_search *l, const row_changes *c,
+                         murk_vec3 at)
+{
+    return l->sight->desc.domain.is_periodic
+               ? murk_boxes_meet_line(&c->near, &l->viewpoint, at)
+               : murk_box_list_meet(&c->near, at, murk_sub(l->sensor, at));
+}
+
+/* The number of n straight sightlines that interfaces ended, with the surfaces
+ * of the earlier sight. Interfaces are the same in both. */
+static uint32_t count_bent(const row_search *l, const row_changes *c,
+                           const murk_vec3 *from, size_t n)
+{
+    uint32_t count = 0;
+    for (size_t i = 0; i < n; ++i) {
+        if (murk_path_bends_to(&l->viewpoint, from[i])) {
+            bool is_blocked;
+            test_surfaces(l, c->of->surfaces, &from[i], 1, &is_blocked);
+            count += !is_blocked;
+        }
+    }
+    return count;
+}
+
+/* Straight sightlines that are tested together. */
+typedef struct line_block {
+    murk_vec3 from[BLOCK];  /* [n] */
+    uint32_t number[BLOCK]; /* [n] photons, in their map */
+    size_t n;
+    murk_vec3 again[BLOCK]; /* [n_again] the starts of those that the earlier
+                             * row had */
+    size_t n_again;
+} line_block;
+
+static void test_changed(row_search *l, row_changes *c,
+                         const murk_photon *photon, uint32_t first,
+                         line_block *b)
+{
+    add_visible(l, photon, first, b->number, b->from, b->n);
+    c->earlier.tested += (uint32_t)b->n_again;
+    if (may_bend(l)) {
+        c->earlier.bent += count_bent(l, c, b->again, b->n_again);
+    }
+    b->n = b->n_again = 0;
+}
+
+/* Tests the sightlines to a photon beyond an interface. Surfaces do not decide
+ * about their number, so the earlier row had as many. */
+static void test_changed_across(row_search *l, row_changes *c,
+                                const murk_photon *p, const murk_side *facing,
+                                murk_vec3 from, double index, bool is_added,
+                                uint32_t first, uint32_t number)
+{
+    const murk_row_counts had = l->counts;
+    add_across(l, p, facing, from, index, first, number);
+    if (!is_added) {
+        c->earlier.tested += l->counts.tested - had.tested;
+        c->earlier.bent += l->counts.bent - had.bent;
+        c->earlier.reflected += l->counts.reflected - had.reflected;
+    }
 }
 
 /* Tests the sightlines to the photons of a map that may differ. `first` is the
@@ -444,78 +514,134 @@ static void search_changed(row_search *l, row_changes *c,
                            const murk_photon_map *map, bool is_volume,
                            uint32_t first)
 {
+    const murk_sight_desc *desc = &l->sight->desc;
+    const murk_interfaces *interfaces = l->sight->interfaces;
     const murk_photon *photon = murk_photon_map_photons(map);
     uint32_t *found = l->photon + l->seen;
     const size_t n = find_changed(l, c, map, is_volume, found);
-    murk_vec3 from[BLOCK];
-    uint32_t number[BLOCK];
     murk_side sides[MURK_SIDES] = {{0}};
-    size_t filled = 0;
+    line_block block;
+    block.n = block.n_again = 0;
     for (size_t i = 0; i < n; ++i) {
-        const uint32_t k = first + found[i];
+        const uint32_t number = found[i], k = first + number;
+        const murk_photon *p = &photon[number];
         const bool is_added = c->of->is_added[k / 64] >> (k % 64) & 1;
+        const murk_vec3 sensor = murk_path_nearest_image(
+            &desc->domain, l->sensor, murk_photon_place(p));
         murk_vec3 at;
-        /* An entry may differ if the photon or the sightline does. */
-        if (!find_start(l, &photon[found[i]], l->sensor, sides, &at) ||
-            (!is_added &&
-             !murk_box_list_meet(&c->near, at, murk_sub(l->sensor, at)))) {
+        /* An entry may differ if the photon or a sightline does. */
+        if (interfaces) {
+            const murk_side *facing;
+            at = murk_side_start(p, desc->surfaces, sides, &facing);
+            const double index = murk_path_index_at(&l->space, at);
+            if (index != l->viewpoint.index) {
+                if (is_added || murk_boxes_may_meet_refracted(
+                                    &c->near, interfaces, &l->viewpoint, at)) {
+                    c->tested[k / 64] |= UINT64_C(1) << (k % 64);
+                    test_changed_across(l, c, p, facing, at, index, is_added,
+                                        first, number);
+                }
+                continue;
+            }
+            if (is_beyond(l, murk_photon_place(p), sensor)) {
+                continue;
+            }
+        }
+        if (!find_start(l, p, sensor, sides, &at) ||
+            (!is_added && !meets_change(l, c, at))) {
             continue;
         }
-        c->added += is_added;
         c->tested[k / 64] |= UINT64_C(1) << (k % 64);
-        from[filled] = at;
-        number[filled++] = found[i];
-        if (filled == BLOCK) {
-            add_visible(l, photon, first, number, from, filled);
-            filled = 0;
+        block.from[block.n] = at;
+        block.number[block.n++] = number;
+        block.again[block.n_again] = at;
+        block.n_again += !is_added;
+        if (block.n == BLOCK) {
+            test_changed(l, c, photon, first, &block);
         }
     }
-    add_visible(l, photon, first, number, from, filled);
+    test_changed(l, c, photon, first, &block);
 }
 
-/* The number of photons that are gone whose sightlines the earlier row had. */
-static size_t count_gone(const row_search *l, const murk_sight_changes *changes)
+/* Counts the sightlines of the earlier row to a photon that is gone. */
+static void count_gone(const row_search *l, row_changes *c,
+                       const murk_photon *p, murk_side sides[MURK_SIDES])
 {
-    const murk_photon *gone = changes->gone;
-    murk_side sides[MURK_SIDES] = {{0}};
-    uint32_t found[BLOCK];
-    size_t count = 0;
-    for (size_t first = 0; first < changes->gone_photons; first += BLOCK) {
-        const size_t left = changes->gone_photons - first;
-        const size_t n =
-            murk_photons_within(gone + first, left < BLOCK ? left : BLOCK,
-                                l->sensor, l->query_m, found);
-        for (size_t i = 0; i < n; ++i) {
-            murk_vec3 from;
-            count +=
-                find_start(l, &gone[first + found[i]], l->sensor, sides, &from);
+    const murk_sight_desc *desc = &l->sight->desc;
+    const murk_vec3 place = murk_photon_place(p),
+                    sensor = murk_path_nearest_image(&desc->domain, l->sensor,
+                                                     place);
+    murk_vec3 from;
+    /* Across interfaces, as search_map() has it. */
+    if (l->sight->interfaces) {
+        const murk_side *facing;
+        from = murk_side_start(p, desc->surfaces, sides, &facing);
+        const double index = murk_path_index_at(&l->space, from);
+        if (index != l->viewpoint.index) {
+            murk_across across = l->across;
+            murk_sightline ignored[MURK_REFRACTED_PATHS_MAX];
+            across.counts = &c->earlier;
+            if (l->bands >> murk_photon_band(p) & 1) {
+                murk_across_sightlines(&across, p, facing, from, index,
+                                       ignored);
+            }
+            return;
+        }
+        if (is_beyond(l, place, sensor)) {
+            return;
         }
     }
-    return count;
+    /* Along a straight line. */
+    if (find_start(l, p, sensor, sides, &from)) {
+        ++c->earlier.tested;
+        if (may_bend(l)) {
+            c->earlier.bent += count_bent(l, c, &from, 1);
+        }
+    }
+}
+
+/* Counts the sightlines of the earlier row to all photons that are gone. */
+static void count_all_gone(const row_search *l, row_changes *c)
+{
+    const murk_photon *gone = c->of->gone;
+    murk_side sides[MURK_SIDES] = {{0}};
+    uint32_t found[2 * BLOCK]; /* for the images of a periodic domain */
+    for (size_t first = 0; first < c->of->gone_photons; first += BLOCK) {
+        const size_t left = c->of->gone_photons - first;
+        const size_t n = murk_photons_listed_nearby(
+            gone + first, left < BLOCK ? left : BLOCK, &l->sight->desc.domain,
+            l->sensor, l->query_m, found);
+        for (size_t i = 0; i < n; ++i) {
+            count_gone(l, c, &gone[first + found[i]], sides);
+        }
+    }
 }
 
 void murk_sight_row_again(murk_sight *sight, unsigned worker,
                           const murk_pose *pose,
-                          const murk_sight_changes *changes, uint32_t before,
-                          uint64_t *tested, murk_sparse_row *out)
+                          const murk_sight_changes *changes,
+                          const murk_row_counts *before, uint64_t *tested,
+                          murk_sparse_row *out)
 {
     const murk_sight_desc *desc = &sight->desc;
     row_search l = begin(sight, worker, pose);
     row_changes c = {.of = changes, .tested = tested};
-    c.near = within_range(&l, &changes->changed);
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
+    begin_across(&l);
+    c.near = murk_boxes_within_range(&changes->changed, &desc->domain, l.sensor,
+                                     l.query_m);
     search_changed(&l, &c, desc->surface_map, false, 0);
     search_changed(&l, &c, desc->volume_map, true,
                    (uint32_t)murk_photon_map_count(desc->surface_map));
+    count_all_gone(&l, &c);
     /* The sightlines of the row: those before, without those of photons that
      * are gone, and with those of photons that came. */
-    const size_t all = before + c.added - count_gone(&l, changes),
-                 reused = all - l.tested;
-    if (desc->visibility != MURK_VISIBILITY_NORMAL) {
-        murk_tally_add(&sight->shadow_rays, (int64_t)reused);
-    }
-    murk_tally_add(&sight->reused, (int64_t)reused);
-    *out = found_row(&l, worker, all);
+    const murk_row_counts all = {
+        before->tested - c.earlier.tested + l.counts.tested,
+        before->bent - c.earlier.bent + l.counts.bent,
+        before->reflected - c.earlier.reflected + l.counts.reflected};
+    murk_tally_add(&sight->reused, (int64_t)(all.tested - l.counts.tested));
+    *out = found_row(&l, worker, &all);
 }
 
 /* ---- parts of rows ---- */
@@ -616,7 +742,7 @@ bool murk_sight_part(murk_sight *sight, unsigned worker, const murk_pose *pose,
                       l.photon, surface, &max) &&
         test_selected(&l, volume_map, first, need->entry_max + first,
                       need->gain_min, selected, volume, &max);
-    *out = found_row(&l, worker, l.tested);
+    *out = found_row(&l, worker, &l.counts);
     return is_complete;
 }
 

@@ -63,6 +63,15 @@ murk_status murk_jump_heights(double (**out)[2], size_t *n,
     return MURK_OK;
 }
 
+bool murk_trace_may_jump(const murk_domain *domain, murk_vec3 direction)
+{
+    /* A path of p periods along an axis passes at most p + 1 sides. */
+    const murk_vec3 size = murk_sub(domain->box.max, domain->box.min);
+    const double x = fabs(direction.x) / size.x, y = fabs(direction.y) / size.y,
+                 periods = size.z * (x + y) / fabs(direction.z);
+    return domain->is_periodic && !(periods + 2 < WRAPS_BEFORE);
+}
+
 double murk_jump_ahead(const murk_walker *w)
 {
     const murk_walk_setup *setup = w->setup;

@@ -249,4 +249,9 @@ size_t murk_ledger_absorbers(const murk_ledger *ledger);
  * interrupt: the caller checks murk_interrupted(). */
 void murk_trace_run(const murk_trace *trace, murk_ledger *ledger);
 
+/* False if no photon that travels along this direction jumps in a periodic
+ * domain (transport/jump.h), whatever surfaces, regions and lamps there are: it
+ * passes the sides too few times between bottom and top. */
+bool murk_trace_may_jump(const murk_domain *domain, murk_vec3 direction);
+
 #endif

@@ -21,7 +21,7 @@ murk_status murk_changed_world(murk_box_list *changed, const murk_stage *a,
 {
     const murk_domain *p = &a->world.domain, *q = &b->world.domain;
     *changed = (murk_box_list){
-        .are_all = p->is_periodic || q->is_periodic ||
+        .are_all = p->is_periodic != q->is_periodic ||
                    memcmp(&p->box, &q->box, sizeof p->box) != 0};
     if (changed->are_all) {
         return MURK_OK;

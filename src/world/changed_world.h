@@ -15,8 +15,8 @@ typedef enum murk_world_use {
 
 /* Fills *changed with the boxes of all that differs, enlarged for the rounding
  * of rays: what meets none of them is the same in both worlds, in every bit.
- * All places have changed if the domains differ, and if a domain is periodic.
- * Fails with MURK_NO_MEMORY. */
+ * In a periodic domain the boxes are those of one period. All places have
+ * changed if the domains differ. Fails with MURK_NO_MEMORY. */
 murk_status murk_changed_world(murk_box_list *changed, const murk_stage *a,
                                const murk_stage *b, murk_world_use what,
                                murk_error *err);

@@ -109,29 +109,56 @@ static const varied keys[] = {
 /* The places of the two keys of lamps. */
 #define FIRST_LAMP 13
 
-/* Settings that hold for a sequence: one that is set before the keys above, and
- * one that is set after them. With the first of them, CLEAR, every change in a
- * box changes clarities. */
-#define CLEAR 0
+/* Settings that hold for a sequence: keys that are set before those above, and
+ * one that is set after them. With some settings every change in a box changes
+ * clarities. */
+#define BEFORE 4
+typedef struct held {
+    const char *before[BEFORE];
+    const char *after;
+    bool is_clear;
+} held;
+
+/* Without walls, so that photons and sightlines pass the sides of a periodic
+ * domain. */
+#define OPEN_FLOOR                                                             \
+    "geometry.0={box: {min_m: [0.01, 0.01, 0.01], max_m: [7.99, 5.99, 0.05]}," \
+    " material: wall}"
+#define PERIODIC "domain.sides=periodic", OPEN_FLOOR
+
+/* A pool whose surface lies between the two levels of candidates, and a side of
+ * it between two rows of them. */
+#define POOL                                                      \
+    "regions.0={medium: haze, ior: 1.33, box: {min_m: [0, 0, 0]," \
+    " max_m: [6.03, 6, 2.02]}}"
+
 static char cloud_of_mesh[] = "regions.1={medium: cloud, mesh: "
                               "/tmp/murk_changing_XXXXXX/block.obj}";
-static const char *const settings[][2] = {
-    {"placement.detection=weighted", NULL},
-    {"placement.detection=threshold", "placement.threshold=0.6"},
-    {"placement.detection=independent", NULL},
-    {"placement.through=block", NULL},
-    {"placement.visibility=normal", NULL},
-    {"sensors.types.0.acceptance_deg=5", NULL},
-    {"placement.redundancy=2", NULL},
-    {NULL, "media.plume.interpolation=linear"},
-    {cloud_of_mesh, NULL},
-    {"sensors.types.0.arrival=toward", NULL},
-    {"sensors.target=0.2", "placement.at_least=2"},
-    {"sensors.types.0.least_range_m=1.5", NULL},
-    {"flight=delta", NULL},
-    {"photons.least_weight=0.1", NULL},
-    {"photons.maps=surface", NULL},
-    {"photons.store_when=hit", NULL}};
+static const held settings[] = {
+    {.before = {"placement.detection=weighted"}, .is_clear = true},
+    {.before = {"placement.detection=threshold"},
+     .after = "placement.threshold=0.6"},
+    {.before = {"placement.detection=independent"}},
+    {.before = {"placement.through=block"}},
+    {.before = {"placement.visibility=normal"}},
+    {.before = {"sensors.types.0.acceptance_deg=5"}},
+    {.before = {"placement.redundancy=2"}},
+    {.after = "media.plume.interpolation=linear"},
+    {.before = {cloud_of_mesh}},
+    {.before = {"sensors.types.0.arrival=toward"}},
+    {.before = {"sensors.target=0.2"}, .after = "placement.at_least=2"},
+    {.before = {"sensors.types.0.least_range_m=1.5"}},
+    {.before = {"flight=delta"}},
+    {.before = {"photons.least_weight=0.1"}},
+    {.before = {"photons.maps=surface"}},
+    {.before = {"photons.store_when=hit"}},
+    {.before = {PERIODIC}, .is_clear = true},
+    {.before = {PERIODIC, cloud_of_mesh}},
+    {.before = {POOL}},
+    {.before = {POOL, "placement.through=refract"}, .is_clear = true},
+    {.before = {PERIODIC, POOL}, .after = "placement.through=refract"},
+    {.before = {POOL, cloud_of_mesh, "placement.through=refract"}},
+};
 #define SETTINGS (sizeof settings / sizeof *settings)
 
 /* Frames of the plume, 24 voxels along each edge: the second differs from the
@@ -200,7 +227,8 @@ static void remove_files(void)
 /* What was seen in all sequences. */
 static struct {
     size_t steps, updated, taken, photons, photons_new, sightlines, reused,
-        left_out, missed;
+        left_out, missed, lost;
+    bool is_taken[32]; /* [SETTINGS] a row was taken over */
     uint64_t photons_reused, photons_emitted;
     size_t lights, lights_missed;
 } total;
@@ -318,18 +346,18 @@ static void step_make(step *out, const size_t choice[KEYS], size_t setting,
                       const murk_earlier_plan *earlier, bool are_same_lamps)
 {
     char text[KEYS][96];
-    const char *override[KEYS + 3] = {0};
+    const char *override[KEYS + BEFORE + 2] = {0};
     size_t n = 0;
-    if (settings[setting][0]) {
-        override[n++] = settings[setting][0];
+    for (size_t k = 0; k < BEFORE && settings[setting].before[k]; ++k) {
+        override[n++] = settings[setting].before[k];
     }
     for (size_t k = 0; k < KEYS; ++k) {
         snprintf(text[k], sizeof text[k], "%s=%s", keys[k].key,
                  keys[k].value[choice[k]]);
         override[n++] = text[k];
     }
-    if (settings[setting][1]) {
-        override[n++] = settings[setting][1];
+    if (settings[setting].after) {
+        override[n++] = settings[setting].after;
     }
     *out = (step){.stage = stage_text_create(scene_text, override)};
     CHECK(out->stage);
@@ -440,15 +468,13 @@ static size_t count_different(const step *s, murk_sight *sight,
     uint16_t *clarity = malloc(photons * sizeof *clarity);
     const bool is_binary = murk_plan_at_least(s->stage->scene) > 0;
     size_t different = 0;
-    uint64_t rays[3];
     CHECK(photon && clarity);
     *counts_differ = false;
     for (size_t j = 0; j < poses->count; ++j) {
         murk_sparse_row row;
         /* The row as it is computed, and as it is taken over in part. */
-        rays[0] = murk_sight_work_of(sight).shadow_rays;
         murk_sight_row(sight, 0, &poses->pose[j], &row);
-        rays[1] = murk_sight_work_of(sight).shadow_rays;
+        const murk_row_counts counts = murk_sight_counts(sight, 0);
         const size_t seen = row.seen;
         memcpy(photon, row.photon, seen * sizeof *photon);
         for (size_t k = 0; k < seen; ++k) {
@@ -457,11 +483,11 @@ static size_t count_different(const step *s, murk_sight *sight,
         if (!known->get(known->context, 0, j, &row)) {
             continue;
         }
-        rays[2] = murk_sight_work_of(sight).shadow_rays;
+        const murk_row_counts known_counts = murk_sight_counts(sight, 0);
         CHECK(is_binary ||
               has_right_differences(known->context, photons, j, &row));
         different += !same_rows(&row, photon, clarity, seen, is_binary);
-        *counts_differ |= rays[2] - rays[1] != rays[1] - rays[0];
+        *counts_differ |= memcmp(&counts, &known_counts, sizeof counts) != 0;
     }
     free(photon);
     free(clarity);
@@ -486,8 +512,9 @@ static void leave_out_each(const step *s, murk_sight *sight,
 }
 
 static void check_rows(const step *s, const murk_earlier_plan *earlier,
-                       bool is_clear)
+                       size_t setting)
 {
+    const bool is_clear = settings[setting].is_clear;
     murk_earlier_rows rows;
     murk_sight *sight = NULL;
     murk_error err = {0};
@@ -504,6 +531,8 @@ static void check_rows(const step *s, const murk_earlier_plan *earlier,
         CHECK(!counts_differ);
         const murk_sight_work after = murk_sight_work_of(sight);
         ++total.taken;
+        total.is_taken[setting] = true;
+        total.lost += after.blocked_by_interfaces + after.totally_reflected;
         total.photons += murk_sight_photons(sight);
         for (size_t i = 0; i < murk_sight_photons(sight); ++i) {
             total.photons_new += rows.same[i] == UINT32_MAX;
@@ -559,7 +588,7 @@ static void run_sequence(uint32_t sequence)
 {
     enum { STEPS = 3 };
     size_t choice[KEYS] = {0};
-    const size_t setting = sequence % 2 ? sequence / 2 % SETTINGS : CLEAR;
+    const size_t setting = sequence % 2 ? sequence / 2 % SETTINGS : 0;
     step last;
     step_make(&last, choice, setting, NULL, false);
     step_choose(&last);
@@ -576,7 +605,7 @@ static void run_sequence(uint32_t sequence)
         step_make(&next, choice, setting, &earlier,
                   before[FIRST_LAMP] == choice[FIRST_LAMP] &&
                       before[FIRST_LAMP + 1] == choice[FIRST_LAMP + 1]);
-        check_rows(&next, &earlier, setting == CLEAR);
+        check_rows(&next, &earlier, setting);
         /* The whole plan, with and without the earlier one. */
         step alone = {next.stage, next.traced, {0}};
         prepare(&alone, NULL);
@@ -585,7 +614,10 @@ static void run_sequence(uint32_t sequence)
         const murk_place_result *p = &next.plan.place, *q = &alone.plan.place;
         CHECK(p->value == q->value && p->upper == q->upper &&
               p->count == q->count && p->evaluations == q->evaluations &&
-              next.plan.shadow_rays == alone.plan.shadow_rays);
+              next.plan.shadow_rays == alone.plan.shadow_rays &&
+              next.plan.blocked_by_interfaces ==
+                  alone.plan.blocked_by_interfaces &&
+              next.plan.totally_reflected == alone.plan.totally_reflected);
         CHECK(memcmp(p->sensor, q->sensor, p->count * sizeof *p->sensor) == 0);
         CHECK(!last.plan.matrix); /* it is used up */
         murk_plan_result_release(&alone.plan);
@@ -621,7 +653,14 @@ int main(int argc, char **argv)
            100 * (double)total.photons_new / (double)total.photons,
            100 * (double)total.reused / (double)total.sightlines, total.missed,
            total.left_out);
-    /* Most steps take over most of their rows, and some of their photons. */
+    /* Each setting takes rows over, those with interfaces lose sightlines to
+     * them, and most steps take over most of their rows, and some of their
+     * photons. */
+    CHECK(SETTINGS <= sizeof total.is_taken / sizeof *total.is_taken);
+    for (size_t i = 0; i < SETTINGS && 2 * i + 1 < (size_t)sequences; ++i) {
+        CHECK(total.is_taken[i]);
+    }
+    CHECK(total.lost > 0);
     CHECK(3 * total.updated > total.steps);
     CHECK(20 * total.lights_missed <= total.lights);
     CHECK(3 * total.taken > 2 * total.steps);

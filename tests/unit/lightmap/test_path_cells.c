@@ -40,7 +40,7 @@ static int check_segment(murk_path_cells *cells, murk_vec3 from, murk_vec3 to)
                               .path_m = length};
     uint64_t wanted = 0;
     cells->crossed[0] = 0;
-    murk_path_cells_add(cells, &event);
+    murk_path_cells_add(cells, &(murk_domain){.box = cells->box}, &event);
     for (int k = 0; k <= 4000; ++k) {
         const murk_vec3 p = murk_along(from, k / 4000.0, along);
         if (murk_box_contains(&cells->box, p)) {
@@ -97,6 +97,27 @@ static void test_changed_places(const murk_path_cells *cells)
     CHECK(!murk_path_cells_of(&bits, cells, &list, &domain));
 }
 
+/* A photon that passes a side crosses the cells up to there, unless photons in
+ * its direction may jump, which depends on surfaces at all heights. */
+static void test_wraps(murk_path_cells *cells)
+{
+    const murk_domain domain = {.box = cells->box, .is_periodic = true};
+    /* From bottom to top the first direction passes 5 sides, which is too few
+     * for a jump, and the second one 8. */
+    const double slope[] = {5, 8};
+    for (int i = 0; i < 2; ++i) {
+        const murk_event event = {.kind = MURK_EVENT_WRAPPED,
+                                  .position = {16, 1, 1},
+                                  .direction_in =
+                                      murk_unit(murk_vec(slope[i], 0, 1)),
+                                  .path_m = 0.5};
+        cells->crossed[0] = 0;
+        murk_path_cells_add(cells, &domain, &event);
+        CHECK(cells->crossed[0] ==
+              (i == 0 ? cell_of(cells, murk_vec(15, 1, 1)) : UINT64_MAX));
+    }
+}
+
 int main(void)
 {
     const murk_box box = {{0, 0, 0}, {16, 16, 16}};
@@ -107,6 +128,7 @@ int main(void)
     test_random_segments(cells);
     test_sides(cells);
     test_changed_places(cells);
+    test_wraps(cells);
     murk_path_cells_destroy(cells);
     return check_done();
 }
