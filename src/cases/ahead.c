@@ -177,7 +177,7 @@ static murk_status make_sights(several *l, murk_sight *sight, unsigned threads,
                 murk_ahead_earlier(&earlier, a, i, l->plan->earlier);
             status = murk_earlier_rows_create(
                 &l->rows[k], has_rows ? &earlier : NULL, l->plan->poses,
-                a->stage[i], l->sight[k], err);
+                a->stage[i], l->sight[k], murk_plan_sight_again, err);
             l->known[k] = l->rows[k].known.get ? &l->rows[k].known : NULL;
         }
     }

@@ -24,7 +24,9 @@
 typedef struct photon_list {
     const murk_photon *surface, *volume;
     size_t first_volume, n;
-    uint64_t *order; /* [n] by emitted index: emitted << 32 | number */
+    bool are_targets; /* the numbers of targets depend on those that were
+                       * rejected, and tell nothing */
+    uint64_t *order;  /* [n] by emitted index: emitted << 32 | number */
 } photon_list;
 
 static const murk_photon *photon_of(const photon_list *list, uint32_t number)
@@ -36,16 +38,18 @@ static const murk_photon *photon_of(const photon_list *list, uint32_t number)
 
 /* False when out of memory. */
 static bool list_photons(photon_list *out, const murk_photon_map *surface,
-                         const murk_photon_map *volume)
+                         const murk_photon_map *volume, bool are_targets)
 {
     *out = (photon_list){.surface = murk_photon_map_photons(surface),
                          .volume = murk_photon_map_photons(volume),
-                         .first_volume = murk_photon_map_count(surface)};
+                         .first_volume = murk_photon_map_count(surface),
+                         .are_targets = are_targets};
     out->n = out->first_volume + murk_photon_map_count(volume);
     out->order = malloc(out->n * sizeof *out->order + 1);
     for (size_t i = 0; out->order && i < out->n; ++i) {
         const murk_photon *p = photon_of(out, (uint32_t)i);
-        out->order[i] = (uint64_t)murk_photon_emitted(p) << 32 | i;
+        const uint64_t emitted = are_targets ? 0 : murk_photon_emitted(p);
+        out->order[i] = emitted << 32 | i;
     }
     if (out->order) {
         murk_sort_uint64(out->order, out->n);
@@ -77,13 +81,18 @@ static int compare_records(const void *a, const void *b)
     return memcmp(&p->photon, &q->photon, sizeof p->photon);
 }
 
-/* Copies a run, sorted by records. */
+/* Copies a run, sorted by the parts of the records that clarities depend on. */
 static void sort_run(numbered *out, const photon_list *list, size_t begin,
                      size_t end)
 {
     for (size_t i = begin; i < end; ++i) {
         const uint32_t number = (uint32_t)list->order[i];
-        out[i - begin] = (numbered){*photon_of(list, number), number};
+        numbered *to = &out[i - begin];
+        *to = (numbered){*photon_of(list, number), number};
+        murk_photon_set_power_w(&to->photon, 0);
+        if (list->are_targets) {
+            murk_photon_set_emitted(&to->photon, 0);
+        }
     }
     if (end - begin > 1) {
         qsort(out, end - begin, sizeof *out, compare_records);
@@ -255,24 +264,45 @@ static bool list_gone(murk_earlier_rows *rows, const photon_list *earlier,
     return true;
 }
 
-static bool find_photons(murk_earlier_rows *rows,
-                         const murk_earlier_plan *earlier,
-                         const murk_sight *sight)
+/* With detection by power, photons whose light is estimated otherwise are not
+ * the same. */
+static void check_light(murk_earlier_rows *rows, const murk_sight *before)
 {
-    const murk_sight_desc *desc = murk_sight_described(sight);
+    for (size_t i = 0; i < murk_sight_photons(rows->sight); ++i) {
+        if (rows->same[i] != NO_PHOTON &&
+            !murk_sight_has_same_light(rows->sight, i, before, rows->same[i])) {
+            rows->same[i] = NO_PHOTON;
+        }
+    }
+}
+
+/* `seen`: the sight of the earlier plan, or NULL if it sees photons, whose
+ * light does not count. */
+static bool find_photons(murk_earlier_rows *rows, const murk_traced *traced,
+                         const murk_sight *seen, bool are_targets)
+{
+    const murk_sight_desc *desc = murk_sight_described(rows->sight);
+    const murk_photon_map *surface = traced->surface, *volume = traced->volume;
     photon_list before = {0}, now = {0};
-    const size_t n = murk_sight_photons(sight);
+    const size_t n = murk_sight_photons(rows->sight);
+    if (seen) {
+        surface = murk_sight_described(seen)->surface_map;
+        volume = murk_sight_described(seen)->volume_map;
+    }
     rows->same = murk_arena_array(&rows->arena, n, sizeof *rows->same);
     for (size_t i = 0; rows->same && i < n; ++i) {
         rows->same[i] = NO_PHOTON;
     }
-    const bool has_memory =
-        rows->same &&
-        list_photons(&before, earlier->traced->surface,
-                     earlier->traced->volume) &&
-        list_photons(&now, desc->surface_map, desc->volume_map) &&
-        match_photons(rows, &before, &now) && list_by_slot(rows, n) &&
-        list_added(rows, &now) && list_gone(rows, &before, n);
+    /* Match the photons, then list those that only one of both has. */
+    bool has_memory =
+        rows->same && list_photons(&before, surface, volume, are_targets) &&
+        list_photons(&now, desc->surface_map, desc->volume_map, are_targets) &&
+        match_photons(rows, &before, &now);
+    if (has_memory && seen) {
+        check_light(rows, seen);
+    }
+    has_memory = has_memory && list_by_slot(rows, n) &&
+                 list_added(rows, &now) && list_gone(rows, &before, n);
     free(before.order);
     free(now.order);
     return has_memory;
@@ -342,8 +372,8 @@ static bool has_same_settings(const murk_scene_desc *a,
     const murk_scene_placement *p = &a->placement, *q = &b->placement;
     if (p->detection != q->detection || p->threshold != q->threshold ||
         p->by_normal != q->by_normal || p->through != q->through ||
-        at_least_of(a) != at_least_of(b) || p->targets.given ||
-        q->targets.given ||
+        at_least_of(a) != at_least_of(b) ||
+        p->targets.given != q->targets.given ||
         memcmp(&a->north, &b->north, sizeof a->north) != 0 ||
         memcmp(&a->origin, &b->origin, sizeof a->origin) != 0 ||
         a->sensors.types != b->sensors.types) {
@@ -369,6 +399,30 @@ static bool accepts_scattered(const murk_scene_desc *scene)
         accepts = accepts || scene->sensors.type[k].acceptance_rad > 0;
     }
     return accepts;
+}
+
+static bool is_by_power(const murk_scene_desc *scene)
+{
+    return murk_detection_is(scene->placement.detection,
+                             MURK_DETECTION_BY_POWER);
+}
+
+/* True if light is scattered alike in both: with detection by power the phase
+ * functions of all photons around a place count. */
+static bool has_same_phases(const murk_stage *a, const murk_stage *b)
+{
+    const size_t n = murk_media_count(a->media);
+    bool is_same = n == murk_media_count(b->media) &&
+                   a->scene->bands == b->scene->bands &&
+                   memcmp(a->scene->band_nm, b->scene->band_nm,
+                          sizeof a->scene->band_nm) == 0;
+    for (size_t i = 0; i < n && is_same; ++i) {
+        for (int band = 0; band < a->scene->bands && is_same; ++band) {
+            is_same = murk_phase_is_same(murk_media_phase(a->media, i, band),
+                                         murk_media_phase(b->media, i, band));
+        }
+    }
+    return is_same;
 }
 
 /* Finds the places at which sightlines may differ. If interfaces or meshes that
@@ -526,13 +580,16 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
                                      const murk_poses *poses,
                                      const murk_stage *stage, murk_sight *sight,
-                                     murk_error *err)
+                                     murk_earlier_see *see, murk_error *err)
 {
     murk_earlier_rows rows = {.sight = sight, .poses = poses};
+    murk_sight *before = NULL;
+    const bool by_power = is_by_power(stage->scene),
+               are_targets = stage->scene->placement.targets.given;
     *out = (murk_earlier_rows){0};
-    if (!earlier || !*earlier->matrix || !murk_sight_may_know(sight) ||
-        poses->count < CANDIDATES_MIN ||
-        !has_same_settings(earlier->stage->scene, stage->scene)) {
+    if (!earlier || !*earlier->matrix || poses->count < CANDIDATES_MIN ||
+        !has_same_settings(earlier->stage->scene, stage->scene) ||
+        (by_power && !has_same_phases(earlier->stage, stage))) {
         return MURK_OK;
     }
     /* The places that have changed, then the photons and candidates that have
@@ -545,13 +602,19 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
     const murk_world_use what = accepts_scattered(stage->scene)
                                     ? MURK_USE_ACCEPTING_SIGHT
                                     : MURK_USE_SIGHT;
-    const murk_status status =
+    murk_status status =
         find_places(&rows.changes, earlier->stage, stage, what, err);
+    if (!status && !rows.changes.changed.are_all && (by_power || are_targets)) {
+        status =
+            see(&before, earlier->stage, earlier->traced, rows.threads, err);
+    }
     if (status || rows.changes.changed.are_all) {
         return status == MURK_NO_MEMORY ? MURK_OK : status;
     }
-    const bool has_memory = find_photons(&rows, earlier, sight) &&
-                            find_candidates(&rows, earlier->poses, poses);
+    const bool has_memory =
+        find_photons(&rows, earlier->traced, before, are_targets) &&
+        find_candidates(&rows, earlier->poses, poses);
+    murk_sight_destroy(before);
     if (has_memory) {
         allocate_scratch(&rows, photons);
         take_hashes(&rows, photons, earlier->poses->count);

@@ -1,8 +1,11 @@
 /* Rows of the coverage matrix that a plan takes over from an earlier plan of
- * the same scene at another time. A clarity is taken over if the same photon,
- * equal in every bit, was stored in both, the candidate is at the same pose,
- * and the sightline between them meets no place at which surfaces or media have
- * changed; so the rows are those that would be computed, in every bit. */
+ * the same scene at another time. A clarity is taken over if the same photon or
+ * target was stored in both, the candidate is at the same pose, and the
+ * sightline between them meets no place at which surfaces or media have
+ * changed; so the rows are those that would be computed, in every bit. Photons
+ * are the same if their records are equal in every bit but the power, which is
+ * no part of a clarity; with detection by power, if their light is estimated
+ * from the same records. */
 #ifndef MURK_PLAN_EARLIER_H
 #define MURK_PLAN_EARLIER_H
 
@@ -50,7 +53,7 @@ typedef struct murk_earlier_rows {
     const murk_matrix *matrix;
     const murk_row_counts *tested;
     size_t offset;       /* first photon of the earlier light in its matrix */
-    uint32_t *same;      /* [photons of the new plan] number of the equal
+    uint32_t *same;      /* [photons of the new plan] number of the same
                           * photon of the earlier plan; UINT32_MAX: none */
     uint32_t *first;     /* [slots + 2] the new photons of slot s of the earlier
                           * matrix are photon[first[s]] to
@@ -65,19 +68,24 @@ typedef struct murk_earlier_rows {
     murk_arena arena; /* of all arrays */
 } murk_earlier_rows;
 
+/* Makes the sight of a plan (plan/plan.h). */
+typedef murk_status murk_earlier_see(murk_sight **out, const murk_stage *stage,
+                                     const murk_traced *traced,
+                                     unsigned threads, murk_error *err);
+
 /* Prepares to take over rows of `earlier`, NULL: of none, for the candidates of
- * `poses`. *out is all 0, and no row is taken over, if that is not possible:
- * targets instead of photons, a sight that knows no rows
- * (murk_sight_may_know()), other settings of sensors or of the domain, a world
- * that has changed everywhere, or too little memory. The rows take some 20
- * bytes a photon and thread; a run without earlier rows needs less, so lack of
- * memory is no failure. The caller releases *out before the sight, which the
- * rows are for, and before `earlier`. */
+ * `poses`. `see` makes the sight of `earlier` once more, for targets and for
+ * detection by power. *out is all 0, and no row is taken over, if that is not
+ * possible: other settings of sensors or of the domain, a world that has
+ * changed everywhere, interfaces that have changed, or too little memory. The
+ * rows take some 20 bytes a photon and thread; a run without earlier rows needs
+ * less, so lack of memory is no failure. The caller releases *out before the
+ * sight, which the rows are for, and before `earlier`. */
 murk_status murk_earlier_rows_create(murk_earlier_rows *out,
                                      const murk_earlier_plan *earlier,
                                      const murk_poses *poses,
                                      const murk_stage *stage, murk_sight *sight,
-                                     murk_error *err);
+                                     murk_earlier_see *see, murk_error *err);
 void murk_earlier_rows_release(murk_earlier_rows *rows);
 
 #endif

@@ -24,6 +24,11 @@ murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             const murk_traced *traced, unsigned threads,
                             murk_error *err);
 
+/* As murk_plan_sight(), without its warnings: a murk_earlier_see. */
+murk_status murk_plan_sight_again(murk_sight **out, const murk_stage *stage,
+                                  const murk_traced *traced, unsigned threads,
+                                  murk_error *err);
+
 /* As murk_plan_sight(); *facts receives the properties of the targets (points
  * 0: the scene has none). */
 murk_status murk_plan_sight_and_targets(murk_sight **out,

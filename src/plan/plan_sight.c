@@ -144,15 +144,16 @@ static murk_sight_desc describe_onto(const murk_stage *stage,
 }
 
 /* Creates the sight onto photons or targets, with the settings of detection by
- * power of the scene. Warns of density estimates from few neighbours. */
+ * power of the scene. Warns, if asked to, of density estimates from few
+ * neighbours. */
 static murk_status sight_onto(murk_sight **out, const murk_stage *stage,
                               const murk_traced *traced, const seen_maps *maps,
-                              unsigned threads, murk_error *err)
+                              unsigned threads, bool warns, murk_error *err)
 {
     murk_sight_desc desc = describe_onto(stage, maps, threads);
     desc.power = power_of(stage, traced);
     const murk_status status = create(out, stage, &desc, false, err);
-    if (!status) {
+    if (!status && warns) {
         warn_of_few(*out, stage, traced,
                     murk_photon_map_count(maps->surface) +
                         murk_photon_map_count(maps->volume));
@@ -171,11 +172,10 @@ murk_status murk_plan_sight_points(murk_sight **out, const murk_stage *stage,
     return create(out, stage, &desc, true, err);
 }
 
-murk_status murk_plan_sight_and_targets(murk_sight **out,
-                                        murk_target_facts *facts,
-                                        const murk_stage *stage,
-                                        const murk_traced *traced,
-                                        unsigned threads, murk_error *err)
+static murk_status make_sight(murk_sight **out, murk_target_facts *facts,
+                              const murk_stage *stage,
+                              const murk_traced *traced, unsigned threads,
+                              bool warns, murk_error *err)
 {
     /* The records are those of the light, or targets. */
     murk_targets targets = {0};
@@ -192,7 +192,7 @@ murk_status murk_plan_sight_and_targets(murk_sight **out,
     *facts = targets.facts;
     /* Create the sight, which then owns the maps of targets. */
     if (!status) {
-        status = sight_onto(&sight, stage, traced, &maps, threads, err);
+        status = sight_onto(&sight, stage, traced, &maps, threads, warns, err);
     }
     if (!status && has_targets) {
         murk_sight_own_maps(sight, targets.surface, targets.volume);
@@ -207,13 +207,29 @@ murk_status murk_plan_sight_and_targets(murk_sight **out,
     return status;
 }
 
+murk_status murk_plan_sight_and_targets(murk_sight **out,
+                                        murk_target_facts *facts,
+                                        const murk_stage *stage,
+                                        const murk_traced *traced,
+                                        unsigned threads, murk_error *err)
+{
+    return make_sight(out, facts, stage, traced, threads, true, err);
+}
+
 murk_status murk_plan_sight(murk_sight **out, const murk_stage *stage,
                             const murk_traced *traced, unsigned threads,
                             murk_error *err)
 {
     murk_target_facts facts;
-    return murk_plan_sight_and_targets(out, &facts, stage, traced, threads,
-                                       err);
+    return make_sight(out, &facts, stage, traced, threads, true, err);
+}
+
+murk_status murk_plan_sight_again(murk_sight **out, const murk_stage *stage,
+                                  const murk_traced *traced, unsigned threads,
+                                  murk_error *err)
+{
+    murk_target_facts facts;
+    return make_sight(out, &facts, stage, traced, threads, false, err);
 }
 
 /* ---- photons that are not stored ---- */

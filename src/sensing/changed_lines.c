@@ -7,9 +7,9 @@
  * share of a range. */
 #define RANGE_TIMES 1.001
 
-murk_box_list murk_boxes_within_range(const murk_box_list *all,
-                                      const murk_domain *domain,
-                                      murk_vec3 sensor, double range_m)
+murk_box_list murk_changes_within_range(const murk_box_list *all,
+                                        const murk_domain *domain,
+                                        murk_vec3 sensor, double range_m)
 {
     murk_box_list near = {.are_all = all->are_all};
     for (size_t i = 0; i < all->n; ++i) {
@@ -28,7 +28,7 @@ murk_box_list murk_boxes_within_range(const murk_box_list *all,
 
 /* True if the line between two points meets a box. Lines are cut as for the
  * test of surfaces, whose pieces reach over the sides of the domain. */
-static bool meets(const murk_box_list *boxes, const murk_path_space *space,
+static bool meets(const murk_box_list *changed, const murk_path_space *space,
                   murk_vec3 from, murk_vec3 to)
 {
     murk_path_segment segment[MURK_PATH_SEGMENTS_MAX];
@@ -38,42 +38,42 @@ static bool meets(const murk_box_list *boxes, const murk_path_space *space,
     bool does_meet = false;
     for (int i = 0; i < n && !does_meet; ++i) {
         does_meet = murk_box_list_meet(
-            boxes, segment[i].from, murk_sub(segment[i].to, segment[i].from));
+            changed, segment[i].from, murk_sub(segment[i].to, segment[i].from));
     }
     return does_meet;
 }
 
-bool murk_boxes_meet_line(const murk_box_list *boxes,
-                          const murk_path_viewpoint *v, murk_vec3 point)
+bool murk_changes_meet_line(const murk_box_list *changed,
+                            const murk_path_viewpoint *v, murk_vec3 point)
 {
     const murk_path_space *space = v->space;
     const murk_domain *domain = space->domain;
     if (!domain->is_periodic) {
-        return murk_box_list_meet(boxes, point, murk_sub(v->position, point));
+        return murk_box_list_meet(changed, point, murk_sub(v->position, point));
     }
     /* The line is followed from the point on, and with meshes from the sensor
      * on, too. The two lines are different images of each other, or, half a
      * period apart, lines to different sides. */
-    return meets(boxes, space, point,
+    return meets(changed, space, point,
                  murk_path_nearest_image(domain, v->position, point)) ||
            (space->boundary_meshes &&
-            meets(boxes, space, v->position,
+            meets(changed, space, v->position,
                   murk_path_nearest_image(domain, point, v->position)));
 }
 
-static bool overlaps_one(const murk_box_list *boxes, const murk_box *box)
+static bool overlaps_one(const murk_box_list *changed, const murk_box *box)
 {
-    bool does_overlap = boxes->are_all;
-    for (size_t i = 0; i < boxes->n && !does_overlap; ++i) {
-        does_overlap = murk_box_overlaps(&boxes->box[i], box);
+    bool does_overlap = changed->are_all;
+    for (size_t i = 0; i < changed->n && !does_overlap; ++i) {
+        does_overlap = murk_box_overlaps(&changed->box[i], box);
     }
     return does_overlap;
 }
 
-bool murk_boxes_may_meet_refracted(const murk_box_list *boxes,
-                                   const murk_interfaces *interfaces,
-                                   const murk_path_viewpoint *v,
-                                   murk_vec3 point)
+bool murk_changes_may_meet_refracted(const murk_box_list *changed,
+                                     const murk_interfaces *interfaces,
+                                     const murk_path_viewpoint *v,
+                                     murk_vec3 point)
 {
     const murk_path_space *space = v->space;
     if (interfaces->any_mesh || space->domain->is_periodic) {
@@ -100,7 +100,7 @@ bool murk_boxes_may_meet_refracted(const murk_box_list *boxes,
         around = murk_box_with(around, murk_along(point, down, flat->normal));
         around =
             (murk_box){murk_sub(around.min, more), murk_add(around.max, more)};
-        may_meet = overlaps_one(boxes, &around);
+        may_meet = overlaps_one(changed, &around);
     }
     return may_meet;
 }

@@ -372,6 +372,20 @@ double murk_power_source(const murk_power *power, size_t i, murk_vec3 toward)
     return sum * (double)at->factor;
 }
 
+bool murk_power_has_same_source(const murk_power *a, size_t i,
+                                const murk_power *b, size_t k)
+{
+    const place *p = &a->place[i], *q = &b->place[k];
+    const murk_photon *photon_a = murk_vicinity_photons(a->volume, p->level),
+                      *photon_b = murk_vicinity_photons(b->volume, q->level);
+    bool is_same = p->n == q->n && p->factor == q->factor;
+    for (uint32_t j = 0; j < p->n && is_same; ++j) {
+        is_same = memcmp(&photon_a[p->list[j]], &photon_b[q->list[j]],
+                         sizeof *photon_a) == 0;
+    }
+    return is_same;
+}
+
 double murk_power_signal_w(const murk_power *power,
                            const murk_sensor_type *type,
                            const murk_field *field, const murk_photon *photon,

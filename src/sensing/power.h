@@ -90,6 +90,13 @@ double murk_power_radiance(const murk_power *power, size_t i);
  * unit vector `toward` [W/m3/sr]. */
 double murk_power_source(const murk_power *power, size_t i, murk_vec3 toward);
 
+/* True if the sources at place i of the volume map of one, and k of the other,
+ * are estimated from equal records in the same order, and with the same
+ * factor: they then are the same in every direction and every bit, as far as
+ * phase functions are. */
+bool murk_power_has_same_source(const murk_power *a, size_t i,
+                                const murk_power *b, size_t k);
+
 /* The signal s of a photon along one sightline [W]; i is the index of the
  * photon in the surface map or the volume map, in which the photon is. */
 double murk_power_signal_w(const murk_power *power,

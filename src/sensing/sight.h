@@ -174,9 +174,12 @@ typedef struct murk_sight_changes {
     const murk_surfaces *surfaces; /* of the earlier sight */
 } murk_sight_changes;
 
-/* True if rows may be taken over from an earlier sight: detection is not by
- * power. */
-bool murk_sight_may_know(const murk_sight *sight);
+/* True if photon i of sight a and photon k of sight b, which are equal but for
+ * the power, receive the same signals: without detection by power always, else
+ * if the light at both places is estimated from the same records. Phase
+ * functions are not compared. */
+bool murk_sight_has_same_light(const murk_sight *a, size_t i,
+                               const murk_sight *b, size_t k);
 
 /* The part of murk_sight_row() that may differ from the row of the earlier
  * sight: the entries of photons that were added or whose sightlines meet a

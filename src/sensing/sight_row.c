@@ -368,9 +368,20 @@ static murk_sparse_row found_row(const row_search *l, unsigned worker,
                              l->is_binary ? NULL : l->clarity};
 }
 
-bool murk_sight_may_know(const murk_sight *sight)
+bool murk_sight_has_same_light(const murk_sight *a, size_t i,
+                               const murk_sight *b, size_t k)
 {
-    return !sight->power;
+    if (!a->power || !b->power) {
+        return a->power == b->power;
+    }
+    const size_t first_a = murk_photon_map_count(a->desc.surface_map),
+                 first_b = murk_photon_map_count(b->desc.surface_map);
+    const bool is_volume = i >= first_a;
+    return is_volume == (k >= first_b) &&
+           (is_volume ? murk_power_has_same_source(a->power, i - first_a,
+                                                   b->power, k - first_b)
+                      : murk_power_radiance(a->power, i) ==
+                            murk_power_radiance(b->power, k));
 }
 
 murk_row_counts murk_sight_counts(const murk_sight *sight, unsigned worker)
@@ -450,7 +461,7 @@ static bool meets_change(const row_search *l, const row_changes *c,
                          murk_vec3 at)
 {
     return l->sight->desc.domain.is_periodic
-               ? murk_boxes_meet_line(&c->near, &l->viewpoint, at)
+               ? murk_changes_meet_line(&c->near, &l->viewpoint, at)
                : murk_box_list_meet(&c->near, at, murk_sub(l->sensor, at));
 }
 
@@ -535,7 +546,7 @@ static void search_changed(row_search *l, row_changes *c,
             at = murk_side_start(p, desc->surfaces, sides, &facing);
             const double index = murk_path_index_at(&l->space, at);
             if (index != l->viewpoint.index) {
-                if (is_added || murk_boxes_may_meet_refracted(
+                if (is_added || murk_changes_may_meet_refracted(
                                     &c->near, interfaces, &l->viewpoint, at)) {
                     c->tested[k / 64] |= UINT64_C(1) << (k % 64);
                     test_changed_across(l, c, p, facing, at, index, is_added,
@@ -628,8 +639,8 @@ void murk_sight_row_again(murk_sight *sight, unsigned worker,
     row_changes c = {.of = changes, .tested = tested};
     l.viewpoint = murk_path_viewpoint_at(&l.space, pose->position);
     begin_across(&l);
-    c.near = murk_boxes_within_range(&changes->changed, &desc->domain, l.sensor,
-                                     l.query_m);
+    c.near = murk_changes_within_range(&changes->changed, &desc->domain,
+                                       l.sensor, l.query_m);
     search_changed(&l, &c, desc->surface_map, false, 0);
     search_changed(&l, &c, desc->volume_map, true,
                    (uint32_t)murk_photon_map_count(desc->surface_map));
