@@ -157,6 +157,19 @@ static murk_status identify_exports(murk_follow *follow, murk_error *err)
     return MURK_OK;
 }
 
+/* Refuses the export lp together with a key that the problem in that file
+ * cannot state at the steps, most of which begin at a plan. */
+static murk_status check_lp(const murk_session *session, murk_error *err)
+{
+    const char *key = murk_plan_single_key_of_steps(session->scene);
+    return session->settings.exports & MURK_EXPORT_LP && key
+               ? murk_fail(err, MURK_BAD_VALUE, session->scene->placement.where,
+                           "%s is given, which the export lp does not take: "
+                           "use the export matrix or or-library",
+                           key)
+               : MURK_OK;
+}
+
 /* Begins the folder, and checks the files that the run writes into it. */
 static murk_status begin_files(murk_session *session, murk_error *err)
 {
@@ -177,6 +190,9 @@ static murk_status check_files(murk_follow *follow, murk_error *err)
     murk_status status =
         murk_save_set(&session, follow->folder, &follow->save, &call.failure);
     follow->session.settings.exports = session.settings.exports;
+    if (!status) {
+        status = check_lp(&session, &call.failure);
+    }
     if (!status) {
         status = identify_exports(follow, &call.failure);
     }
@@ -253,6 +269,14 @@ static murk_follow_results results_of(const murk_follow *follow)
 
 /* ---- the plan at which the search of a step begins ---- */
 
+/* The time of the step before a step; -INFINITY before the first one. */
+static double step_before_s(const murk_follow *follow, size_t step)
+{
+    return step == 0 ? -INFINITY
+                     : murk_timeline_time_s(&follow->session.scene->timeline,
+                                            step - 1);
+}
+
 /* The sensors of the scene's own start plan as they are at a step, in *out,
  * which the caller releases. */
 static murk_status own_start(murk_sequence *out, const murk_follow *follow,
@@ -266,8 +290,14 @@ static murk_status own_start(murk_sequence *out, const murk_follow *follow,
     }
     memcpy(out->sensor, follow->start, n * sizeof *out->sensor);
     out->sensors = n;
-    return murk_sequence_advance(out, follow->session.scene, -INFINITY, step,
-                                 false, err);
+    /* Sensors drift from step to step, as those of the sequence do: a camera
+     * that has reached straight down turns up from there. */
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i <= step && !status; ++i) {
+        status = murk_sequence_advance(out, follow->session.scene,
+                                       step_before_s(follow, i), i, false, err);
+    }
+    return status;
 }
 
 /* The sensors at which the search of a step begins, as the text of a table:
@@ -549,10 +579,7 @@ static murk_status make_step(murk_follow *follow, murk_follow_step *step,
 static murk_status advance(murk_follow *follow, const murk_follow_step *step,
                            murk_error *err)
 {
-    const murk_scene_timeline *timeline = &follow->session.scene->timeline;
-    const double from_s =
-        step->number == 0 ? -INFINITY
-                          : murk_timeline_time_s(timeline, step->number - 1);
+    const double from_s = step_before_s(follow, step->number);
     const bool warns = !follow->is_part && follow->shard.count == 0;
     murk_call call = murk_call_begin(follow->scene->context, NULL, err);
     return murk_call_end(

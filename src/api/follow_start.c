@@ -8,17 +8,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* True if the sensor is one of the fixed ones of the scene. */
+/* True if the sensor is one of the fixed ones of the scene, which may have
+ * failed before the first step. */
 static bool is_fixed(const murk_scene_sensors *sensors, const murk_pose *pose)
 {
-    size_t i = 0;
-    while (i < sensors->n_fixed &&
-           (sensors->fixed[i].type != pose->type ||
-            murk_length(murk_sub(sensors->fixed[i].position, pose->position)) >
-                0)) {
-        ++i;
+    bool is_one = false;
+    for (size_t i = 0; i < sensors->fixed_listed && !is_one; ++i) {
+        const murk_scene_fixed_sensor *fixed = &sensors->fixed[i];
+        const murk_pose own = {.type = (uint32_t)fixed->type,
+                               .position = fixed->position,
+                               .heading_rad = fixed->heading_rad,
+                               .tilt_rad = fixed->tilt_rad};
+        is_one = murk_sequence_is_same_pose(&own, pose);
     }
-    return i < sensors->n_fixed;
+    return is_one;
 }
 
 murk_status murk_follow_read_start(murk_follow *follow,

@@ -67,17 +67,36 @@ static murk_status describe_at(murk_scene_desc **out, const murk_scene *scene,
     return status;
 }
 
+/* The stage with which a stage of `world` at this time shares meshes and grids
+ * of the same files: of the worlds that the world comes after, NULL: none, that
+ * of the same time; or else the one that was imported last. NULL: there is
+ * none. */
+static const murk_stage *find_shared(const murk_world *world,
+                                     const murk_world *earlier, double t_s)
+{
+    const murk_stage *last = earlier ? earlier->stage : NULL;
+    for (size_t i = 0; earlier && i < earlier->laters; ++i) {
+        last = earlier->later[i];
+        if (last->scene->timeline.at_s == t_s) {
+            return last;
+        }
+    }
+    return world->laters > 0 ? world->later[world->laters - 1] : last;
+}
+
 /* Reads a later step and imports its files. A step whose scene is wrong at its
  * time is left out: it has no plan either. */
 static murk_status add_later(murk_world *world, const murk_scene *scene,
-                             double t_s, murk_error *err)
+                             const murk_world *earlier, double t_s,
+                             murk_error *err)
 {
     murk_error why = {.size = sizeof why};
     murk_scene_desc *desc = NULL;
     murk_stage *stage = NULL;
     murk_status status = describe_at(&desc, scene, t_s, &why);
     if (!status) {
-        status = murk_stage_import(&stage, desc, &why);
+        status = murk_stage_import_after(
+            &stage, desc, find_shared(world, earlier, t_s), &why);
     }
     if (status) {
         murk_scene_desc_destroy(desc);
@@ -96,7 +115,7 @@ static murk_status add_later(murk_world *world, const murk_scene *scene,
 
 /* Reads the steps that a plan looks ahead to, before any ray device exists. */
 static murk_status read_later(murk_world *world, const murk_scene *scene,
-                              murk_error *err)
+                              const murk_world *earlier, murk_error *err)
 {
     const murk_scene_timeline *timeline = &world->desc->timeline;
     const size_t steps = murk_world_is_ahead(world)
@@ -108,7 +127,7 @@ static murk_status read_later(murk_world *world, const murk_scene *scene,
          found < steps && i < murk_timeline_steps(timeline) && !status; ++i) {
         const double t_s = murk_timeline_time_s(timeline, i);
         if (t_s > timeline->at_s) {
-            status = add_later(world, scene, t_s, err);
+            status = add_later(world, scene, earlier, t_s, err);
             ++found;
         }
     }
@@ -117,11 +136,12 @@ static murk_status read_later(murk_world *world, const murk_scene *scene,
 
 /* Builds the world, and those of the later steps. */
 static murk_status build_all(murk_world *world, const murk_scene *scene,
-                             const murk_stage *earlier, murk_error *err)
+                             const murk_world *earlier, murk_error *err)
 {
-    murk_status status = read_later(world, scene, err);
+    murk_status status = read_later(world, scene, earlier, err);
     if (!status) {
-        status = build_after(world, earlier, err);
+        const double t_s = world->desc->timeline.at_s;
+        status = build_after(world, find_shared(world, earlier, t_s), err);
     }
     for (size_t i = 0; i < world->laters && !status; ++i) {
         status = murk_stage_build(world->later[i], err);
@@ -134,7 +154,7 @@ static murk_status build_all(murk_world *world, const murk_scene *scene,
 /* Reads the scene, passes the notes and warnings of murk_scene_tell() to the
  * log, and builds the world unless there are conditions to place over. */
 static murk_status build(murk_world *world, murk_scene *scene,
-                         const murk_stage *earlier, murk_error *err)
+                         const murk_world *earlier, murk_error *err)
 {
     if (!murk_memory_copy(&world->files, &scene->files)) {
         return murk_no_memory(err, scene->name, "for the world");
@@ -166,8 +186,7 @@ murk_status murk_world_create_after(murk_world **out, murk_scene *scene,
         world->references = 1;
         world->context = scene->context;
         ++world->context->references;
-        status =
-            build(world, scene, earlier ? earlier->stage : NULL, &call.failure);
+        status = build(world, scene, earlier, &call.failure);
     }
     if (murk_ranks_count() > 1) {
         const char *key = status ? "" : world->desc->whole_key;

@@ -208,7 +208,7 @@ murk_sequence_hindsight murk_sequence_sum_up(const murk_sequence *s)
 #define SAME_M   1e-6
 #define SAME_RAD 1e-8
 
-static bool is_same(const murk_pose *a, const murk_pose *b)
+bool murk_sequence_is_same_pose(const murk_pose *a, const murk_pose *b)
 {
     const murk_vec3 d = murk_sub(a->position, b->position);
     return a->type == b->type && murk_dot(d, d) <= SAME_M * SAME_M &&
@@ -239,7 +239,8 @@ static void join_equal(pairs *p)
     for (size_t i = 0; i < p->n_new; ++i) {
         p->old_of[i] = NONE;
         for (size_t k = 0; k < p->n_old && p->old_of[i] == NONE; ++k) {
-            if (!p->is_taken[k] && is_same(&p->old[k].pose, &p->new[i])) {
+            if (!p->is_taken[k] &&
+                murk_sequence_is_same_pose(&p->old[k].pose, &p->new[i])) {
                 join(p, i, k);
             }
         }
@@ -304,7 +305,7 @@ static murk_status note_changes(murk_sequence *s, const pairs *p, size_t step,
         if (!is_added) {
             move.from = p->old[k].pose;
         }
-        if (is_added || !is_same(&move.from, &move.to)) {
+        if (is_added || !murk_sequence_is_same_pose(&move.from, &move.to)) {
             ++*moved;
             status = add_move(s, &move, err);
         } else {

@@ -115,6 +115,9 @@ murk_status murk_sequence_advance(murk_sequence *sequence,
                                   const murk_scene_desc *scene, double from_s,
                                   size_t step, bool warns, murk_error *err);
 
+/* True if two poses differ by no more than the rounding of files. */
+bool murk_sequence_is_same_pose(const murk_pose *a, const murk_pose *b);
+
 /* Makes pose[n] the sensors of the step. A sensor at the pose of one of the
  * plan before, but for rounding, is this sensor. Of the others, the pair of
  * equal type at the least distance is a sensor that moved, and so on; what is

@@ -70,14 +70,24 @@ static murk_status check_moves(const murk_scene_desc *scene, murk_error *err)
                : MURK_OK;
 }
 
-const char *murk_plan_single_key(const murk_scene_desc *scene)
+static const char *single_key(const murk_scene_desc *scene, bool has_start)
 {
     const murk_scene_placement *p = &scene->placement;
     return murk_plan_at_least(scene) > 0                 ? "at_least"
-           : p->start_plan && p->limits_moves            ? "moves_at_most"
-           : p->start_plan && p->move_cost > 0           ? "move_cost"
+           : has_start && p->limits_moves                ? "moves_at_most"
+           : has_start && p->move_cost > 0               ? "move_cost"
            : scene->timeline.given && p->steps_ahead > 1 ? "look_ahead"
                                                          : NULL;
+}
+
+const char *murk_plan_single_key(const murk_scene_desc *scene)
+{
+    return single_key(scene, scene->placement.start_plan);
+}
+
+const char *murk_plan_single_key_of_steps(const murk_scene_desc *scene)
+{
+    return single_key(scene, true);
 }
 
 murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
@@ -351,9 +361,12 @@ murk_status murk_plan_take_free(murk_plan_result *plan, murk_place_result *any,
 {
     if (!status) {
         const double whole = (double)any->whole;
-        plan->free = (murk_free_plan){true, (double)any->value / whole,
+        plan->free = (murk_free_plan){true,
+                                      (double)any->value / whole,
                                       (double)any->upper / whole,
-                                      (double)any->ceiling / whole};
+                                      (double)any->ceiling / whole,
+                                      any->is_interrupted,
+                                      any->is_late};
         plan->place.evaluations += any->evaluations;
         plan->place.nodes += any->nodes;
         plan->place.is_interrupted |= any->is_interrupted;

@@ -81,6 +81,10 @@ murk_status murk_plan_check(const murk_stage *stage, unsigned threads,
  * none. */
 const char *murk_plan_single_key(const murk_scene_desc *scene);
 
+/* The same for a scene whose plans will begin at other plans, as those of the
+ * steps of a timeline. */
+const char *murk_plan_single_key_of_steps(const murk_scene_desc *scene);
+
 /* The solver settings of the scene, without constraints and target. */
 murk_place_desc murk_plan_desc(const murk_scene_desc *scene);
 
@@ -118,9 +122,12 @@ bool murk_plan_has_streams(const murk_scene_desc *scene);
 /* The best plan found for a scene, as it is at the time of the plan, without
  * the rule on moves and without other steps: coverage in sample, as shares. */
 typedef struct murk_free_plan {
-    bool is_there;          /* false: the plan itself is this plan */
-    double coverage, upper; /* upper: of any plan of as many sensors */
-    double ceiling;         /* coverage of all candidates */
+    bool is_there;                /* false: the plan itself is this plan */
+    double coverage, upper;       /* upper: of any plan of as many sensors */
+    double ceiling;               /* coverage of all candidates */
+    bool is_interrupted, is_late; /* the search was ended, as in
+                                   * murk_place_result: another run may give
+                                   * another plan and bound */
 } murk_free_plan;
 
 typedef struct murk_plan_result {

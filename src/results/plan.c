@@ -210,6 +210,11 @@ static void list_free(murk_results_fields *f, const void *of)
         "the search begins",
         free_plan->coverage);
     MURK_NUMBER(f, "upper", "1", "bound on such plans", free_plan->upper);
+    MURK_TEXT(f, "cut_by",
+              "null, or what ended the search of such plans: interrupt or time",
+              free_plan->is_interrupted ? "interrupt"
+              : free_plan->is_late      ? "time"
+                                        : NULL);
 }
 
 static void list_placement(murk_results_fields *f, const void *of)
@@ -434,6 +439,9 @@ static void print_moves(const murk_plan_result *plan)
         murk_print("; with any number of moves at no cost %.4f, and no plan "
                    "more than %.4f",
                    plan->free.coverage, plan->free.upper);
+    }
+    if (plan->free.is_late) {
+        murk_print(", as far as the search came by placement.time_limit_s");
     }
     murk_print("\n");
 }

@@ -365,8 +365,7 @@ typedef struct murk_scene_fixed_sensor {
     size_t type;
     murk_vec3 position;
     double heading_rad, tilt_rad;
-    bool is_failed; /* only while the scene is read, which removes sensors that
-                     * have failed */
+    bool is_failed; /* of a timeline, by the time of the scene */
 } murk_scene_fixed_sensor;
 
 typedef struct murk_scene_sensors {
@@ -376,7 +375,8 @@ typedef struct murk_scene_sensors {
     size_t types;
     murk_scene_fixed_sensor *fixed;
     size_t n_fixed;
-    size_t fixed_listed; /* n_fixed, with those that have failed */
+    size_t fixed_listed; /* n_fixed, with those that have failed, which are
+                          * fixed[n_fixed] to fixed[fixed_listed - 1] */
     bool one_per_site;
     murk_scene_candidates candidates;
     double spacing_m; /* smallest distance between sensors */

@@ -369,11 +369,11 @@ static murk_status read_text(reading *r, murk_scene_desc **out,
     if (status) {
         goto done;
     }
+    murk_origin_move(scene);
     murk_timeline_finish(scene);
     for (size_t i = 0; i < scene->n_conditions; ++i) {
         murk_timeline_finish(scene->conditions[i].scene);
     }
-    murk_origin_move(scene);
     *out = scene;
     scene = NULL;
 done:

@@ -737,22 +737,32 @@ static uint64_t count_failed(const murk_scene_desc *scene)
     return failed;
 }
 
+/* Puts the fixed sensors that have failed behind the others, whose order
+ * stays, and counts the others alone. */
+static void put_failed_last(murk_scene_sensors *sensors)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < sensors->n_fixed; ++i) {
+        const murk_scene_fixed_sensor fixed = sensors->fixed[i];
+        if (!fixed.is_failed) {
+            memmove(&sensors->fixed[n + 1], &sensors->fixed[n],
+                    (i - n) * sizeof fixed);
+            sensors->fixed[n++] = fixed;
+        }
+    }
+    sensors->n_fixed = n;
+}
+
 void murk_timeline_finish(murk_scene_desc *scene)
 {
     murk_scene_sensors *sensors = &scene->sensors;
     const double t_s = scene->timeline.given ? scene->timeline.at_s : 0;
-    size_t n = 0;
     scene->site.unix_s += t_s;
     for (size_t i = 0; i < scene->n_lights; ++i) {
         scene->lights[i].site.unix_s += t_s;
     }
     sensors->fixed_listed = sensors->n_fixed;
-    for (size_t i = 0; i < sensors->n_fixed; ++i) {
-        if (!sensors->fixed[i].is_failed) {
-            sensors->fixed[n++] = sensors->fixed[i];
-        }
-    }
-    sensors->n_fixed = n;
+    put_failed_last(sensors);
     const uint64_t failed = count_failed(scene);
     sensors->all_failed = sensors->count > 0 && failed >= sensors->count;
     if (sensors->count > 0) {

@@ -463,6 +463,13 @@ murk_status murk_stage_import_beside(murk_stage **out,
     return import(out, scene, other, other != NULL, err);
 }
 
+murk_status murk_stage_import_after(murk_stage **out,
+                                    const murk_scene_desc *scene,
+                                    const murk_stage *earlier, murk_error *err)
+{
+    return import(out, scene, earlier, false, err);
+}
+
 murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err)
 {

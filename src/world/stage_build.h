@@ -25,6 +25,12 @@ murk_status murk_stage_import(murk_stage **out, const murk_scene_desc *scene,
                               murk_error *err);
 murk_status murk_stage_build(murk_stage *stage, murk_error *err);
 
+/* As murk_stage_import(), for a scene that may have files in common with that
+ * of the stage `earlier`, as in murk_stage_create_after(). */
+murk_status murk_stage_import_after(murk_stage **out,
+                                    const murk_scene_desc *scene,
+                                    const murk_stage *earlier, murk_error *err);
+
 /* As murk_stage_import(), for a scene that has the same world_key and the same
  * files as the scene of the stage `other`. The meshes of geometry and regions
  * and the grids are those of `other`; the remaining meshes are imported. other

@@ -84,6 +84,8 @@ CALLS = [
     (lambda: room().fit("/nowhere/data.csv", ["media.fog.albedo"]), "/nowhere/data.csv", "", ""),
     (lambda: murk.study("/nowhere/study.yaml"), "/nowhere/study.yaml", "", ""),
     (lambda: murk.report("/nowhere"), "/nowhere", "", ""),
+    (lambda: room(timeline={"times_s": [0, 1]}, placement={"moves_at_most": 1}).follow(exports=["lp"]), "", "placement",
+     "moves_at_most is given, which the export lp does not take"),
     (lambda: room().add_grid("x", numpy.full((2, 2, 2), -1.0)), "x", "", "-1"),
     (lambda: room().add_grid("x", numpy.ones((2, 2, 2)), 0), "x", "", "index_to_world: is singular"),
     (lambda: room().add_grid("x", numpy.zeros((2, 2))), "", "", "dimensions"),

@@ -196,6 +196,18 @@ def refusals(scene):
         check(text in done.stderr and done.stderr.count("\n") == 1, words, done.stderr)
 
 
+def says_early(folder, scene):
+    """A search without the rule on moves that the time has cut says so."""
+    out = os.path.join(folder, "limit")
+    run("follow", scene, "--set", "placement.moves_at_most=1", "--time-limit", "1e-6", "-o", out)
+    plan = plan_of(os.path.join(out, "steps/0002"))
+    check(plan["free"]["cut_by"] == "time", "free", plan["free"])
+    out = os.path.join(folder, "no-limit")
+    run("follow", scene, "--set", "placement.moves_at_most=1", "-o", out)
+    plan = plan_of(os.path.join(out, "steps/0002"))
+    check(plan["free"]["cut_by"] is None, "free", plan["free"])
+
+
 with tempfile.TemporaryDirectory() as folder:
     scene = os.path.join(folder, "scene.yaml")
     with open(scene, "w") as file:
@@ -203,4 +215,5 @@ with tempfile.TemporaryDirectory() as folder:
     moves_are_few(folder, scene)
     plans_look_ahead(folder, scene)
     refusals(scene)
+    says_early(folder, scene)
 sys.exit(failures > 0)

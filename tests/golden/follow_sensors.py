@@ -174,6 +174,27 @@ def failing_numbers(folder):
     check(len(table(alone, "sensors.csv")) == 3, "sensors of murk place", table(alone, "sensors.csv"))
 
 
+def in_force(folder):
+    """Steps that begin at the plan in force. A camera that has drifted to straight down turns up from there, in start.csv
+    as in moves.csv; a fixed sensor that has failed before the first step is no planned one."""
+    plan = os.path.join(folder, "plan.csv")
+    with open(plan, "w") as file:
+        file.write("type,x_m,y_m,z_m,heading_deg,tilt_deg\neye,3,3,1,0,-20\nnode,9,5,3,,\nnode,11,7,3,,\n")
+    tracks = ("{sensor: 0, fails_at_s: -1}, {sensor: 1, keyframes: [{t_s: 0, tilt_offset_deg: 0}, "
+              "{t_s: 3, tilt_offset_deg: -100}, {t_s: 6, tilt_offset_deg: -70}]}")
+    scene, out = scene_of(folder, tracks, "force.yaml"), os.path.join(folder, "force")
+    run("follow", scene, "--start", plan, "--set", "timeline.search_from=start_plan", "-o", out)
+    starts = [table(out, f"steps/{k:04}/start.csv") for k in range(5)]
+    check([len(start) for start in starts] == [2] * 5, "sensors in force", starts)
+    check([round(float(start[0]["tilt_deg"]), 6) for start in starts] == [-20, -90, -60, -60, -60], "tilts", starts)
+    moves = table(out, "moves.csv")
+    check(not any(move["change"] == "failed" for move in moves), "failed before the first step", moves)
+    drifted = {move["step"]: move for move in moves if move["change"] == "drifted"}
+    for k, start in enumerate(starts):
+        if str(k) in drifted and place(drifted[str(k)], "to_") == place(start[0]):
+            check(abs(float(drifted[str(k)]["tilt_deg"]) - float(start[0]["tilt_deg"])) < 1e-9, "tilt of step", k)
+
+
 def refusals(folder):
     for tracks, text in (("{sensor: 2, keyframes: [{t_s: 0, position_m: [1, 1, 1]}]}", "others have offset_m"),
                          ("{sensor: 0, keyframes: [{t_s: 0, offset_m: [1, 1, 1]}]}", "not offset_m"),
@@ -228,6 +249,7 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     drifting_sensors(top)
     drifting_away(top)
     failing_numbers(top)
+    in_force(top)
     refusals(top)
     a_limit_of_time(top)
 sys.exit(1 if failures else 0)
