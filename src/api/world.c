@@ -93,6 +93,7 @@ static murk_status add_later(murk_world *world, const murk_scene *scene,
     murk_error why = {.size = sizeof why};
     murk_scene_desc *desc = NULL;
     murk_stage *stage = NULL;
+    /* Read the scene, then the files. */
     murk_status status = describe_at(&desc, scene, t_s, &why);
     if (!status) {
         status = murk_stage_import_after(

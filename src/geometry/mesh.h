@@ -65,6 +65,9 @@ typedef struct murk_mesh_import {
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);
+/* A checksum of vertices, triangles and names of materials. */
+void murk_mesh_checksum(const murk_mesh *mesh, uint64_t out[2]);
+
 /* Releases the mesh, and destroys it if no owner is left; NULL is fine. */
 void murk_mesh_destroy(murk_mesh *mesh);
 

@@ -5,6 +5,7 @@
  * sizes, coordinates and indices are checked again. */
 #include "geometry/mesh.h"
 
+#include "base/file.h"
 #include "base/memory_files.h"
 #include "geometry/import.h"
 #include "geometry/triangle.h"
@@ -280,6 +281,22 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
     }
     *out = mesh;
     return MURK_OK;
+}
+
+void murk_mesh_checksum(const murk_mesh *mesh, uint64_t out[2])
+{
+    /* The sum of the sums of all parts. */
+    uint64_t sum[5][2];
+    murk_checksum(mesh->vertex_m, 3 * mesh->vertices * sizeof *mesh->vertex_m,
+                  sum[0]);
+    murk_checksum(mesh->corner, 3 * mesh->triangles * sizeof *mesh->corner,
+                  sum[1]);
+    murk_checksum(mesh->material, mesh->triangles * sizeof *mesh->material,
+                  sum[2]);
+    murk_checksum(mesh->material_name,
+                  mesh->materials * sizeof *mesh->material_name, sum[3]);
+    murk_checksum(&mesh->origin_m, sizeof mesh->origin_m, sum[4]);
+    murk_checksum(sum, sizeof sum, out);
 }
 
 murk_mesh *murk_mesh_share(murk_mesh *mesh)

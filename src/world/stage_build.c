@@ -60,6 +60,19 @@ static murk_status add_checksum(murk_stage *stage, uint64_t sum[2],
     return append_sum(stage, sum, where, err);
 }
 
+/* Appends the checksum of what was read of a mesh to the light key, if its file
+ * names others, which have no checksum in the key. */
+static murk_status add_mesh_sum(murk_stage *stage, const murk_mesh *mesh,
+                                const char *where, murk_error *err)
+{
+    uint64_t sum[2];
+    if (!mesh->names_others) {
+        return MURK_OK;
+    }
+    murk_mesh_checksum(mesh, sum);
+    return append_sum(stage, sum, where, err);
+}
+
 /* The vertices of a mesh are stored in single precision. Fails if the rounding
  * step at the largest coordinate exceeds the clearance that candidate sites of
  * sensors must keep from surfaces, because visibility is then unknown; not if
@@ -151,6 +164,9 @@ static murk_status import_meshes(murk_stage *stage, const murk_stage *earlier,
         if (f.path && !stage->mesh[i] && !status) {
             status = murk_mesh_read(&stage->mesh[i], f.path, &f.import, f.where,
                                     err);
+        }
+        if (f.path && !status && is_lit) {
+            status = add_mesh_sum(stage, stage->mesh[i], f.where, err);
         }
         if (f.path && !status && is_lit) {
             status = check_step(scene, stage->mesh[i], &f, err);
@@ -262,6 +278,9 @@ static murk_status share_world(murk_stage *stage, const murk_stage *other,
         memcpy(stage->mesh_sum[i], other->mesh_sum[i], sizeof *other->mesh_sum);
         status = f.path ? append_sum(stage, stage->mesh_sum[i], f.where, err)
                         : MURK_OK;
+        if (f.path && !status) {
+            status = add_mesh_sum(stage, stage->mesh[i], f.where, err);
+        }
     }
     for (size_t i = 0; i < files && !status; ++i) {
         const uint64_t *sum = other->filling_sum[i];
