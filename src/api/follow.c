@@ -236,21 +236,44 @@ murk_status murk_follow_create(murk_follow **out, murk_scene *scene,
     return MURK_OK;
 }
 
+/* Releases what the steps have made so far. */
+static void release_made(murk_follow *follow)
+{
+    murk_plan_destroy(follow->before);
+    murk_sequence_release(&follow->sequence);
+    murk_fields_release(&follow->row);
+    murk_fields_release(&follow->fields);
+    murk_fields_release(&follow->saved);
+}
+
+void murk_follow_part_begin(murk_follow *out, const murk_follow *follow)
+{
+    *out = *follow;
+    out->is_part = true;
+    /* All that release_made() releases, and the numbers of steps. */
+    out->before = NULL;
+    murk_sequence_init(&out->sequence, 0);
+    out->row = out->fields = out->saved = (murk_fields){0};
+    out->next = out->reused = out->last_reused = 0;
+    out->has_plan = false;
+}
+
+void murk_follow_part_end(murk_follow *part)
+{
+    release_made(part);
+}
+
 void murk_follow_destroy(murk_follow *follow)
 {
     if (!follow) {
         return;
     }
-    murk_plan_destroy(follow->before);
-    murk_sequence_release(&follow->sequence);
+    release_made(follow);
     if (follow->ranks) {
         follow->scene->context->host->ranks = follow->ranks;
     }
     murk_follow_release_parts(follow);
     free(follow->start);
-    murk_fields_release(&follow->row);
-    murk_fields_release(&follow->fields);
-    murk_fields_release(&follow->saved);
     murk_scene_desc_destroy(follow->session.scene);
     murk_scene_destroy(follow->scene);
     free(follow->command);

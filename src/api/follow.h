@@ -72,6 +72,12 @@ murk_status murk_follow_read_start(murk_follow *follow,
                                    const murk_scene_desc *desc,
                                    murk_error *err);
 
+/* Begins a handle that makes some of the steps of `follow`: it borrows what the
+ * caller of murk_follow_create() gave and has nothing made yet. It ends, before
+ * `follow`, with murk_follow_part_end() and not with murk_follow_destroy(). */
+void murk_follow_part_begin(murk_follow *out, const murk_follow *follow);
+void murk_follow_part_end(murk_follow *part);
+
 /* Remembers the plan of a step for the next one, which takes over what is the
  * same. A dark step leaves the plan before it. */
 void murk_follow_remember(murk_follow *follow, murk_plan *plan);

@@ -37,13 +37,9 @@ static murk_status make_run(murk_follow *follow, size_t begin, size_t end,
 static murk_status make_runs(uint64_t *made, const murk_follow *follow,
                              murk_deal *deal, size_t run, murk_error *err)
 {
-    /* The same scene and folder, and steps of its own. */
-    murk_follow own = *follow;
-    own.is_part = true;
-    own.before = NULL;
-    own.row = own.fields = own.saved = (murk_fields){0};
-    murk_sequence_init(&own.sequence, 0);
+    murk_follow own;
     murk_status status = MURK_OK;
+    murk_follow_part_begin(&own, follow);
     const size_t runs = (follow->steps + run - 1) / run;
     uint64_t k;
     while (!status && (k = murk_ranks_take(deal)) < runs) {
@@ -58,10 +54,7 @@ static murk_status make_runs(uint64_t *made, const murk_follow *follow,
         *made += own.sequence.row[i].failed[0] == '\0';
     }
     *made -= own.reused;
-    murk_plan_destroy(own.before);
-    murk_fields_release(&own.row);
-    murk_fields_release(&own.fields);
-    murk_sequence_release(&own.sequence);
+    murk_follow_part_end(&own);
     return status;
 }
 

@@ -155,6 +155,7 @@ static murk_status import_meshes(murk_stage *stage, const murk_stage *earlier,
         const murk_mesh_file f = murk_mesh_file_at(scene, i);
         const bool is_lit = i < lit_meshes(scene);
         uint64_t *sum = stage->mesh_sum[i];
+        /* The checksum of the file, then what is in it. */
         if (f.path && is_lit) {
             status = add_checksum(stage, sum, f.path, f.where, err);
         }

@@ -187,6 +187,7 @@ timeline:
                                                          {t_s: 60, value: [0, 2]}]}
     - {key: media.fog.albedo, between: hold, keyframes: [{t_s: 0, value: 0.9}, {t_s: 70, value: 3}, {t_s: 80, value: 0.9}]}
     - {sensor: 1, fails_at_s: 60}
+    - {sensor: 2, keyframes: [{t_s: 0, offset_m: [0, 0, 0]}, {t_s: 80, offset_m: [0.2, 0.1, 0]}]}
 """
 START = "type,x_m,y_m,z_m\nnode,0.5,0.5,0.5\nnode,5.5,3.5,2.5\nnode,2.5,1.5,0.5\n"
 

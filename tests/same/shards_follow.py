@@ -117,7 +117,21 @@ def parts_are_the_run(name, numbers, *words):
         same(whole, "out", f"{name}: {n} parts")
     for folder in ("out", whole):
         start = os.path.join(folder, "steps/0003/start.csv")
-        check(os.path.exists(start) == (name == "best"), start)
+        check(os.path.exists(start) == (name != "greedy"), start)
+
+
+def other_rules(words, limit):
+    """Parts of steps that look ahead, of which each has the light of two steps of another part, and of steps whose search
+    has no time: the plans are those that stand."""
+    parts_are_the_run("ahead", (3,), *words)
+    with open("whole-ahead/steps/0002/plan.json", encoding="utf-8") as file:
+        check(json.load(file)["look_ahead"]["steps"] == 3, "steps ahead of step 2")
+    parts = [part(k, 2, "scene.yaml", *limit, name="limit") for k in (1, 2)]
+    ran = merge(parts)
+    with open("out/follow.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    check([row["cut_by"] for row in rows] == ["time"] * 7 and "ended the search of 7 steps" in ran.stdout, rows, ran.stdout)
+    check(rows[0]["moves"] == "0", "moves of a plan that stands", rows[0])
 
 
 def missing_and_damaged():
@@ -266,6 +280,8 @@ with tempfile.TemporaryDirectory() as top:
     write("start.csv", START)
     parts_are_the_run("greedy", (1, 4), "--set", "placement.method=greedy")
     parts_are_the_run("best", (2, 3, 5), "--start", "start.csv")
+    rules = ("--start", "start.csv", "--set", "placement.moves_at_most=1")
+    other_rules((*rules, "--set", "placement.look_ahead=3"), (*rules, "--time-limit", "1e-6"))
     missing_and_damaged()
     failing_steps()
     others_are_refused()
