@@ -116,4 +116,13 @@ among the processes that mpirun of Open MPI starts on one or more machines."
         DEPENDS "murk (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), ${murk_same_version}, openmpi-bin")
     set(CPACK_DEBIAN_MURK-MPI_PACKAGE_SHLIBDEPS ON)
 endif()
+if(TARGET murk_netcdf)
+    murk_package(murk-netcdf science
+"simulator of light in fog, smoke, rain and water - NetCDF files
+murk simulates light in fog, smoke, rain and water, and places sensors in it.
+This package contains the program by which murk reads clouds and other fields
+from NetCDF files."
+        DEPENDS "${murk_same_version}")
+    set(CPACK_DEBIAN_MURK-NETCDF_PACKAGE_SHLIBDEPS ON)
+endif()
 include(CPack)

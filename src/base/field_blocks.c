@@ -1,4 +1,6 @@
-/* Packs fields on rectilinear grids (base/field_blocks.h). */
+/* Packs fields on rectilinear grids (base/field_blocks.h): sizes, edges and
+ * values of all blocks follow each other, so that the receiver can check them
+ * before use. */
 #include "base/field_blocks.h"
 
 #include <stdlib.h>

@@ -561,6 +561,7 @@ murk_status murk_grid_from_field(murk_grid **out, const unsigned char *packed,
         murk_grid_destroy(grid);
         return status;
     }
+    /* Facts and warnings. */
     describe_field(grid, &head, size);
     if (head.warning[0]) {
         murk_warn(where, "%.*s", (int)sizeof head.warning - 1, head.warning);

@@ -238,6 +238,7 @@ static murk_status read_bounds(const reader *r, int variable, double factor,
         nc_inq_varndims(r->file, bounds, &n) != NC_NOERR || n != 2) {
         return MURK_OK;
     }
+    /* One pair for each coordinate. */
     int dimension[2];
     size_t length[2] = {0};
     nc_inq_vardimid(r->file, bounds, dimension);
@@ -400,11 +401,11 @@ static murk_status read_frame(reader *r, int variable, size_t frame,
         if (!r->axis[which].is_falling) {
             continue;
         }
-        const size_t along = r->axis[which].n, apart = (size_t)step[which];
+        const size_t along = r->axis[which].n, between = (size_t)step[which];
         for (size_t i = 0; i < *nx * ny * nz; ++i) {
-            const size_t at = i / apart % along, other = along - 1 - at;
+            const size_t at = i / between % along, other = along - 1 - at;
             if (at < other) {
-                const size_t k = i + (other - at) * apart;
+                const size_t k = i + (other - at) * between;
                 const double value = out[i];
                 out[i] = out[k];
                 out[k] = value;
@@ -635,6 +636,7 @@ static murk_status set_edges(const reader *r, int which, bool has_nodes,
                            "one value along an axis cannot be interpolated",
                            NULL);
     }
+    /* Middles, then the bounds if there are any. */
     for (size_t i = 1; i < n; ++i) {
         edge[i] = (a->at[i - 1] + a->at[i]) / 2;
     }

@@ -72,6 +72,7 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
                               size_t i, murk_error *err)
 {
     murk_status status = MURK_OK;
+    /* The density by the kind of file, then the albedo. */
     if (m->vdb_next) {
         const char *const frames[] = {m->vdb, m->vdb_next};
         status = murk_grid_read_between(&f->grid[i], frames, m->next_weight,

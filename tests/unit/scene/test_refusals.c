@@ -109,7 +109,7 @@ static const refusal REFUSALS[] = {
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, grid: a}\n", VALUE,
      "fog.yaml:3:41: media.fog.grid",
      "not a key of a medium (homogeneous), must be one of vdb, "
-     "fds, profile, extinction_per_m, albedo, phase"},
+     "fds, netcdf, profile, extinction_per_m, albedo, phase"},
     {"media:\n  fog: {extinction_per_m: 1, albedo: 1, phase: {two_hg: [0, "
      "0]}}\n",
      VALUE, "fog.yaml:3:49: media.fog.phase.two_hg",
@@ -245,7 +245,8 @@ static const refusal REFUSALS[] = {
      "albedos: only densities are interpolated in time"},
     {"media:\n  a: {frame: 3, extinction_per_m: 1, albedo: 1}\n", VALUE,
      "fog.yaml:3:7: media.a.frame",
-     "not a key of a medium (homogeneous), must be one of vdb, fds, profile, "
+     "not a key of a medium (homogeneous), must be one of vdb, fds, netcdf, "
+     "profile, "
      "extinction_per_m, albedo, phase"},
     /* regions */
     {"regions:\n  - {medium: fog}\n", VALUE, "fog.yaml:3:14: regions.0.medium",
