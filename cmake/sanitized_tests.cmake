@@ -53,8 +53,8 @@ function(murk_caught kind defect report)
         $<TARGET_FILE:defects_${kind}> ${defect} "${report}")
 endfunction()
 
-murk_sanitized(address LEVEL -O0 ROOMS base preset scene
-    TESTS base/subprocess base/file base/staging scene/conditions scene/refusals scene/table scene/yaml)
+murk_sanitized(address LEVEL -O0 ROOMS base preset luminaire scene
+    TESTS base/subprocess base/file base/staging luminaire/luminaire scene/conditions scene/refusals scene/table scene/yaml)
 murk_caught(address overflow "AddressSanitizer: heap-buffer-overflow")
 murk_caught(address leak "LeakSanitizer: detected memory leaks")
 murk_caught(address undefined "runtime error: signed integer overflow")

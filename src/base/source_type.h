@@ -23,7 +23,8 @@ typedef enum murk_source_group {
     X(SUN, "sun", BODY)                    \
     X(MOON, "moon", BODY)                  \
     X(SKY, "sky", DOME)                    \
-    X(NIGHT_SKY, "night_sky", DOME)
+    X(NIGHT_SKY, "night_sky", DOME)        \
+    X(LUMINAIRE, "luminaire", LAMP)
 
 #define MURK_SOURCE_ENUMERATOR(id, name, group) MURK_SOURCE_##id,
 typedef enum murk_source_type {

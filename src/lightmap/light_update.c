@@ -51,6 +51,14 @@ static bool is_same_lamp(const murk_source *a, const murk_source *b)
     murk_source p = *a, q = *b;
     p.where = q.where = NULL;
     p.power_w = q.power_w;
+    if (a->intensity && b->intensity) { /* the file was read twice */
+        uint64_t sum[2][2];
+        murk_intensity_checksum(a->intensity, sum[0]);
+        murk_intensity_checksum(b->intensity, sum[1]);
+        if (memcmp(sum[0], sum[1], sizeof sum[0]) == 0) {
+            p.intensity = q.intensity;
+        }
+    }
     return !murk_source_is_distant(a) && a->portals == 0 && b->portals == 0 &&
            memcmp(&p, &q, sizeof p) == 0;
 }

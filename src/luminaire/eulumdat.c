@@ -23,9 +23,9 @@
 #define FACTOR_MIN  1e-9
 #define FACTOR_MAX  1e9
 
-#define RATIOS  10 /* direct ratios, which only indoor planning needs */
-#define PERCENT 100.0
-#define MM      1e-3
+#define RATIOS  10    /* direct ratios, which only indoor planning needs */
+#define PERCENT 100.0 /* of one */
+#define MM      1e-3  /* metres */
 
 typedef struct ldt {
     murk_luminaire_text text;
@@ -125,12 +125,13 @@ static murk_status read_sizes(ldt *f)
     if (status) {
         return status;
     }
+    /* The shape of the luminous area. */
     const double length = size[3] * MM, width = size[4] * MM;
     murk_luminaire *out = f->out;
     out->height_m = fmax(fmax(size[5], size[6]), fmax(size[7], size[8])) * MM;
-    out->opening = length <= 0 && width <= 0 ? MURK_OPENING_POINT
-                   : width > 0               ? MURK_OPENING_RECT
-                                             : MURK_OPENING_DISC;
+    out->aperture = length <= 0 && width <= 0 ? MURK_APERTURE_POINT
+                    : width > 0               ? MURK_APERTURE_RECT
+                                              : MURK_APERTURE_DISC;
     out->along_c0_m = width > 0 ? width : length;
     out->along_c90_m = width > 0 ? length : 0;
     return MURK_OK;
@@ -207,6 +208,7 @@ static murk_status read_c_angles(ldt *f)
                                                 "C angle", f->c_deg, i);
         }
     }
+    /* The whole turn begins at 0 and ends before 360. */
     if (!status && f->c_deg[0] != 0) {
         status = murk_luminaire_text_fail(&f->text, f->c_line[0],
                                           "C angle: %.10g, must begin at 0",
@@ -318,6 +320,7 @@ murk_status murk_luminaire_read_eulumdat(murk_luminaire *out, const char *path,
     if (!status) {
         status = read_table(&f);
     }
+    /* The factors of the table: cd/klm times klm. */
     if (!status) {
         snprintf(out->format, sizeof out->format, "EULUMDAT");
         out->type = MURK_GONIOMETER_C;

@@ -18,6 +18,7 @@
 #include "base/log.h"
 #include "base/memory_files.h"
 #include "base/words.h"
+#include "luminaire/photometric_file.h"
 #include "luminaire/text.h"
 
 #define FOOT_M 0.3048 /* exactly */
@@ -61,6 +62,7 @@ typedef struct ies {
  * label of 1986. */
 static murk_status read_version(ies *f)
 {
+    /* The first line without the blanks at the end. */
     const murk_luminaire_text begin = f->text;
     const size_t length = strcspn(f->text.next, "\r\n");
     char line[64], shown[40];
@@ -167,6 +169,7 @@ static murk_status read_tilt_file(ies *f)
     char *text = NULL, shown[48];
     size_t size = 0;
     murk_luminaire_text own;
+    /* The name must not lead to another folder. */
     if (f->tilt[0] == '\0' || f->tilt[0] == '.' || strchr(f->tilt, '/') ||
         strchr(f->tilt, '\\') || murk_memory_is(f->text.path)) {
         murk_words_show(shown, sizeof shown, f->tilt);
@@ -215,30 +218,30 @@ typedef struct numbers {
 /* Sets the opening from width, length and height [m], whose signs tell the
  * shape (LM-63-1995, table 2; LM-63-02, table 1). The opening is what is seen
  * from photometric zero; an ellipse counts as the disc of the same area. */
-static void set_opening(murk_luminaire *out, double width, double length,
-                        double height, int year)
+static void set_aperture(murk_luminaire *out, double width, double length,
+                         double height, int year)
 {
     const double w = fabs(width), l = fabs(length), h = fabs(height);
     const bool is_round = width < 0 || length < 0;
     out->height_m = h;
     if (is_round && width <= 0 && length <= 0) {
         /* a circle; with both sides an ellipse */
-        out->opening = MURK_OPENING_DISC;
+        out->aperture = MURK_APERTURE_DISC;
         out->along_c0_m = w > 0 && l > 0 ? sqrt(w * l) : w + l;
     } else if (is_round && year < 2002) {
-        out->opening = MURK_OPENING_DISC; /* an ellipse along one axis */
+        out->aperture = MURK_APERTURE_DISC; /* an ellipse along one axis */
         out->along_c0_m = sqrt(w * l);
     } else {
         /* a rectangle, or a horizontal cylinder, of which a side of 0 has the
          * diameter in the height (1995) */
         out->along_c0_m = l > 0 || height >= 0 ? l : h;
         out->along_c90_m = w > 0 || height >= 0 ? w : h;
-        out->opening = out->along_c0_m > 0 || out->along_c90_m > 0
-                           ? MURK_OPENING_RECT
-                           : MURK_OPENING_POINT;
+        out->aperture = out->along_c0_m > 0 || out->along_c90_m > 0
+                            ? MURK_APERTURE_RECT
+                            : MURK_APERTURE_POINT;
     }
     if (w == 0 && l == 0) {
-        out->opening = MURK_OPENING_POINT;
+        out->aperture = MURK_APERTURE_POINT;
         out->along_c0_m = out->along_c90_m = 0;
     }
 }
@@ -304,8 +307,8 @@ static void use_numbers(ies *f, const numbers *n)
     f->out->type = (murk_goniometer)n->type;
     f->out->lamp_lumens = n->lumens > 0 ? (double)n->lamps * n->lumens : NAN;
     f->out->declared_lumens = f->out->lamp_lumens;
-    set_opening(f->out, n->width * unit_m, n->length * unit_m,
-                n->height * unit_m, f->year);
+    set_aperture(f->out, n->width * unit_m, n->length * unit_m,
+                 n->height * unit_m, f->year);
 }
 
 /* ---- the table ---- */
@@ -332,6 +335,7 @@ static murk_status find_symmetry(ies *f)
     const double first = f->table.plane_deg[0],
                  last = f->table.plane_deg[n - 1];
     murk_luminaire_symmetry *symmetry = &f->out->symmetry;
+    /* Types A and B are mirrored if they begin in the middle. */
     if (f->out->type != MURK_GONIOMETER_C) {
         *symmetry = first == 0 ? MURK_SYMMETRY_LEFT_RIGHT : MURK_SYMMETRY_NONE;
         return n >= 2 ? MURK_OK
@@ -340,6 +344,7 @@ static murk_status find_symmetry(ies *f)
                             "1 horizontal angle, must be 2 or more for "
                             "photometric types A and B");
     }
+    /* Type C: the planes tell which part of the turn they are. */
     if (n == 1 && first == 0) {
         *symmetry = MURK_SYMMETRY_AXIAL;
     } else if (first == 0 && last == 90) {

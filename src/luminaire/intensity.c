@@ -21,9 +21,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/file.h"
+
 #define RAD       (MURK_PI / 180) /* radians in a degree */
-#define RIGHT_DEG 90.0
-#define TURN      (2 * MURK_PI) /* a full turn */
+#define RIGHT_DEG 90.0            /* a right angle */
+#define TURN      (2 * MURK_PI)   /* a full turn */
 
 /* Directions beyond the table by rounding alone count as the edge of the
  * table. */
@@ -33,8 +35,9 @@
  * bracket, so 128 steps exhaust the digits of a double. */
 #define STEPS_MAX 128
 
-/* A step of this share of the width of a row is rounding. */
-#define STEP_MIN 1e-15
+/* Newton's method squares the error: after a step of this share of the width of
+ * a row the error is rounding. */
+#define STEP_MIN 1e-8
 
 struct murk_intensity {
     murk_goniometer type;
@@ -116,15 +119,14 @@ static void fill(murk_intensity *t, const murk_intensity_grid *grid)
 }
 
 /* The integral of (from + slope t) sin(begin + t) over t in 0..width. The first
- * term is that of the value at the end, the second one the rest of the integral
- * by parts. */
+ * term is that of the value at the beginning, the second one the rest of the
+ * integral by parts. */
 static double sine_integral(double begin, double width, double from,
                             double slope)
 {
     const double half = sin(width / 2), middle = begin + width / 2;
-    const double end = begin + width;
     return from * 2 * sin(middle) * half +
-           slope * (2 * cos(middle) * half - width * cos(end));
+           slope * (2 * cos(middle) * half - width * cos(begin + width));
 }
 
 /* The integral of row r over phi [cd rad]. */
@@ -162,6 +164,7 @@ murk_status murk_intensity_create(murk_intensity **out,
     const bool by_h = grid->type == MURK_GONIOMETER_B;
     const size_t rows = by_h ? grid->horizontals : grid->verticals;
     const size_t columns = by_h ? grid->verticals : grid->horizontals;
+    /* Memory for rows and columns. */
     murk_intensity *t = calloc(1, sizeof *t);
     if (t) {
         t->type = grid->type;
@@ -179,6 +182,7 @@ murk_status murk_intensity_create(murk_intensity **out,
         return murk_no_memory(err, where, "for a table of %zu intensities",
                               rows * columns);
     }
+    /* Values and integrals. */
     set_axes(t);
     fill(t, grid);
     integrate(t);
@@ -213,6 +217,16 @@ void murk_intensity_destroy(murk_intensity *table)
         free(table->end);
         free(table);
     }
+}
+
+void murk_intensity_checksum(const murk_intensity *table, uint64_t out[2])
+{
+    uint64_t part[4][2] = {{(uint64_t)table->type}};
+    const size_t size = sizeof(double);
+    murk_checksum(table->theta, table->rows * size, part[1]);
+    murk_checksum(table->phi, table->columns * size, part[2]);
+    murk_checksum(table->candela, table->rows * table->columns * size, part[3]);
+    murk_checksum(part, sizeof part, out);
 }
 
 double murk_intensity_lumens(const murk_intensity *table)
@@ -300,43 +314,60 @@ double murk_intensity_candela(const murk_intensity *table, murk_vec3 direction)
 
 /* ---- sampling ---- */
 
+/* Solves the integral of a function that is a at 0 and b at `width`, linear
+ * between, from 0 to x for x, in the form that does not cancel. */
+static double linear_inverse(double a, double b, double width, double integral)
+{
+    const double root = sqrt(fmax(0, a * a + 2 * (b - a) / width * integral));
+    return a + root > 0 ? fmin(2 * integral / (a + root), width) : 0;
+}
+
+/* The row whose flux holds `wanted` lumens, counted from the first row. */
+static size_t find_row(const murk_intensity *t, double wanted)
+{
+    size_t r = find(t->end, t->rows, wanted);
+    while (r > 0 && !(t->end[r + 1] > t->end[r])) {
+        --r; /* rounding has led into a dark row at the end */
+    }
+    return r;
+}
+
 /* The polar angle up to which the flux of the table is u times the whole; sets
  * the row before it. */
 static double draw_theta(const murk_intensity *t, double u, size_t *row)
 {
     const double wanted = u * murk_intensity_lumens(t);
-    size_t r = find(t->end, t->rows, wanted);
-    while (r > 0 && !(t->end[r + 1] > t->end[r])) {
-        --r; /* rounding has led into a dark row at the end */
-    }
-    const double width = t->theta[r + 1] - t->theta[r];
-    const double from = row_sum(t, r);
-    const double slope = (row_sum(t, r + 1) - from) / width;
-    const double rest = wanted - t->end[r];
+    const size_t r = *row = find_row(t, wanted);
+    const double begin = t->theta[r], width = t->theta[r + 1] - begin;
+    const double from = row_sum(t, r), to = row_sum(t, r + 1);
+    const double slope = (to - from) / width;
+    const double rest = wanted - t->end[r], whole = t->end[r + 1] - t->end[r];
+    /* Begin as if the density were linear over the row. */
+    const double first = from * sin(begin), last = to * sin(begin + width);
+    double at = linear_inverse(first, last, width,
+                               rest / whole * width * (first + last) / 2);
     /* Newton's method, or bisection where a step leaves the bracket or has not
      * halved it. */
-    double low = 0, high = width,
-           at = width * rest / (t->end[r + 1] - t->end[r]);
+    double low = 0, high = width;
     for (int i = 0; i < STEPS_MAX && low < high; ++i) {
         at = at > low && at < high ? at : low + (high - low) / 2;
-        const double error = sine_integral(t->theta[r], at, from, slope) - rest;
+        const double error = sine_integral(begin, at, from, slope) - rest;
         const double before = high - low;
         if (error > 0) {
             high = at;
         } else {
             low = at;
         }
-        const double density = (from + slope * at) * sin(t->theta[r] + at);
-        const double next = i % 2 && high - low > before / 2
-                                ? low + (high - low) / 2
-                                : at - error / density;
-        if (fabs(next - at) <= width * STEP_MIN) {
+        /* Not a number where the density is 0: then bisection. */
+        const double step = error / ((from + slope * at) * sin(begin + at));
+        if (fabs(step) <= width * STEP_MIN) {
+            at -= step;
             break;
         }
-        at = next; /* not a number where the density is 0: then bisection */
+        at = i % 2 && i > 4 && high - low > before / 2 ? low + (high - low) / 2
+                                                       : at - step;
     }
-    *row = r;
-    return t->theta[r] + fmin(fmax(at, 0), width);
+    return begin + fmin(fmax(at, 0), width);
 }
 
 /* The azimuth up to which the integral over phi at that polar angle is u times
@@ -358,16 +389,11 @@ static double draw_phi(const murk_intensity *t, size_t r, double theta,
             high = middle;
         }
     }
-    /* Within the interval the intensity is a + slope x: solve a x + slope x^2 /
-     * 2 = rest in the form that does not cancel. */
     const double *cd = t->candela + r * t->columns + low;
-    const double a = mix(cd[0], cd[t->columns], s);
-    const double b = mix(cd[1], cd[t->columns + 1], s);
-    const double width = t->phi[low + 1] - t->phi[low];
     const double rest = fmax(0, wanted - mix(sum[low], next[low], s));
-    const double root = sqrt(fmax(0, a * a + 2 * (b - a) / width * rest));
-    const double x = a + root > 0 ? 2 * rest / (a + root) : 0;
-    return t->phi[low] + fmin(x, width);
+    return t->phi[low] + linear_inverse(mix(cd[0], cd[t->columns], s),
+                                        mix(cd[1], cd[t->columns + 1], s),
+                                        t->phi[low + 1] - t->phi[low], rest);
 }
 
 murk_vec3 murk_intensity_draw(const murk_intensity *table, double u_polar,
@@ -379,4 +405,13 @@ murk_vec3 murk_intensity_draw(const murk_intensity *table, double u_polar,
     murk_vec3 d = murk_scale(cos(theta), table->pole);
     d = murk_along(d, sin(theta) * cos(phi), table->zero);
     return murk_unit(murk_along(d, sin(theta) * sin(phi), table->right));
+}
+
+bool murk_intensity_points_to_zero(const murk_intensity *table)
+{
+    /* In types A and B the rear half is dark. The median of gamma tells the
+     * rest. */
+    size_t row;
+    return table->type != MURK_GONIOMETER_C ||
+           draw_theta(table, 0.5, &row) <= RIGHT_DEG * RAD;
 }

@@ -24,6 +24,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* Largest number of values in a table after symmetries are unfolded. */
 #define MURK_INTENSITY_VALUES_MAX 4000000
@@ -61,8 +62,14 @@ murk_status murk_intensity_create(murk_intensity **out,
 murk_intensity *murk_intensity_share(const murk_intensity *table);
 void murk_intensity_destroy(murk_intensity *table); /* NULL is fine */
 
+/* A checksum of all angles and intensities: equal tables have equal ones. */
+void murk_intensity_checksum(const murk_intensity *table, uint64_t out[2]);
+
 /* The integral over the solid angle [lm]. */
 double murk_intensity_lumens(const murk_intensity *table);
+/* True if at least half of the flux has z <= 0, towards photometric zero. */
+bool murk_intensity_points_to_zero(const murk_intensity *table);
+
 double murk_intensity_max_candela(const murk_intensity *table);
 
 /* The intensity [cd] in angles of the table [degrees]: exactly the value of the

@@ -1,5 +1,5 @@
-/* Luminaires from photometric files: IES LM-63 of 1986, 1991, 1995, 2002 and
- * 2019, and EULUMDAT.
+/* A luminaire as a photometric file describes it
+ * (luminaire/photometric_file.h).
  *
  * The luminous intensity is that of the file with all factors applied. LM-63:
  * candela multiplier, ballast factor and, before 2019, the ballast-lamp
@@ -8,20 +8,12 @@
  * of all sets of lamps in klm times the conversion factor. The flux of a
  * luminaire is the integral of the intensity, not the flux that the file
  * declares.
- *
- * Sources: IES LM-63-02; I. Ashdown, Parsing the IESNA LM-63 Photometric Data
- * File, 1998 (versions 1986 to 1995); the 2019 version from public summaries;
- * EULUMDAT: A. W. Stockmar, EULUMDAT - ein Leuchtendatenformat fuer den
- * europaeischen Beleuchtungsplaner, Tagungsband Licht '90 (1990), in secondary
- * descriptions. */
+ */
 #ifndef MURK_LUMINAIRE_LUMINAIRE_H
 #define MURK_LUMINAIRE_LUMINAIRE_H
 
 #include "base/status.h"
 #include "luminaire/intensity.h"
-
-/* Largest size of a photometric file. */
-#define MURK_LUMINAIRE_BYTES_MAX 16000000
 
 /* Largest number of pairs of TILT data: one a degree of 0..180. */
 #define MURK_TILTS_MAX 181
@@ -37,11 +29,11 @@ typedef enum murk_luminaire_symmetry {
 } murk_luminaire_symmetry;
 
 /* The luminous opening, seen along the photometric zero. */
-typedef enum murk_luminaire_opening {
-    MURK_OPENING_POINT,
-    MURK_OPENING_RECT, /* along_c0_m times along_c90_m */
-    MURK_OPENING_DISC  /* of diameter along_c0_m */
-} murk_luminaire_opening;
+typedef enum murk_luminaire_aperture {
+    MURK_APERTURE_POINT,
+    MURK_APERTURE_RECT, /* along_c0_m times along_c90_m */
+    MURK_APERTURE_DISC  /* of diameter along_c0_m */
+} murk_luminaire_aperture;
 
 typedef struct murk_luminaire {
     char format[24]; /* "LM-63-2002", "EULUMDAT" */
@@ -55,7 +47,7 @@ typedef struct murk_luminaire {
                              * lamps times the light output ratio; LM-63: that
                              * of the lamps; NAN as above */
     double input_w;         /* electrical input; 0: not stated */
-    murk_luminaire_opening opening;
+    murk_luminaire_aperture aperture;
     double along_c0_m, along_c90_m, height_m;
     /* Factors of the flux by the tilt of the luminaire from straight down, of a
      * file with TILT data. */
@@ -64,19 +56,6 @@ typedef struct murk_luminaire {
     double tilt_factor[MURK_TILTS_MAX];
     murk_intensity *intensity;
 } murk_luminaire;
-
-/* Reads a file; the format is recognised by the contents (a line TILT= is
- * LM-63) and for files with neither by the ending .ies. A file that LM-63's
- * TILT= names must lie beside the file. The caller owns *out. Fails with
- * MURK_BAD_FILE, with file and line, or with MURK_NO_MEMORY. */
-murk_status murk_luminaire_read(murk_luminaire **out, const char *path,
-                                murk_error *err);
-
-/* As murk_luminaire_read(), from a text of `size` bytes, which a '\0' follows.
- * The text is changed. `path` is the name in messages, and TILT files are
- * looked for beside it. */
-murk_status murk_luminaire_parse(murk_luminaire **out, const char *path,
-                                 char *text, size_t size, murk_error *err);
 
 /* A copy that shares the table of intensities; NULL when out of memory. */
 murk_luminaire *murk_luminaire_share(const murk_luminaire *luminaire);

@@ -100,6 +100,7 @@ murk_status murk_luminaire_unfold(murk_luminaire *out,
         status = murk_no_memory(err, where, "for %zu planes", max);
         goto done;
     }
+    /* The whole distribution. */
     list_planes(&u, table, out->symmetry);
     const murk_intensity_grid grid = {.type = out->type,
                                       .verticals = table->verticals,

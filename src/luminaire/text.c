@@ -9,7 +9,7 @@
 #include "base/number.h"
 #include "base/words.h"
 
-#define CTRL_Z 0x1A
+#define CTRL_Z 0x1A /* ends a text in DOS */
 
 murk_status murk_luminaire_text_begin(murk_luminaire_text *out,
                                       const char *path, char *text, size_t size,
@@ -21,6 +21,7 @@ murk_status murk_luminaire_text_begin(murk_luminaire_text *out,
                                  .line = 1,
                                  .word_line = 1,
                                  .err = err};
+    /* Bytes that are no text, at the beginning and at the end. */
     const char *nul = memchr(text, '\0', size);
     if (nul) {
         size_t line = 1;

@@ -8,8 +8,12 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/path.h"
 #include "world/daylight_loss.h"
 #include "world/units.h"
+
+/* Declared and integrated flux that differ by less agree: files round. */
+#define AGREES 5e-4
 
 static void print_time(const murk_stage *stage)
 {
@@ -73,10 +77,90 @@ static void print_power(const murk_stage *stage)
     murk_print(" together\n");
 }
 
+/* ---- luminaires ---- */
+
+/* The number of lamps that come from the same item of the scene file, of which
+ * `light` is the first; 0 if it is not the first. */
+static size_t lamps_of_item(const murk_scene_desc *scene, size_t light)
+{
+    const murk_scene_light *l = scene->lights;
+    size_t n = 0;
+    while (light + n < scene->n_lights && l[light + n].item == l[light].item) {
+        ++n;
+    }
+    return light > 0 && l[light - 1].item == l[light].item ? 0 : n;
+}
+
+/* The opening by words: "a disc of .1 m", "0.3 x 0.6 m (C0, C90)". */
+static void describe_aperture(char *out, size_t size,
+                              const murk_luminaire *lamp)
+{
+    if (lamp->aperture == MURK_APERTURE_POINT) {
+        snprintf(out, size, "a point");
+    } else if (lamp->aperture == MURK_APERTURE_DISC) {
+        snprintf(out, size, "a disc of %.4g m", lamp->along_c0_m);
+    } else {
+        snprintf(out, size, "%.4g m along C0, %.4g m along C90",
+                 lamp->along_c0_m, lamp->along_c90_m);
+    }
+}
+
+/* Prints the file of a luminaire: format, symmetry, flux against the declared
+ * one, opening, and the flux that the scene has in place of that of the file.
+ */
+static void print_luminaire(const murk_scene_light *l, size_t number,
+                            size_t lamps)
+{
+    const murk_luminaire *lamp = l->luminaire;
+    const double lumens = murk_intensity_lumens(lamp->intensity);
+    char aperture[80];
+    describe_aperture(aperture, sizeof aperture, lamp);
+    murk_print("luminaire   %zu", number);
+    if (lamps > 1) {
+        murk_print("..%zu", number + lamps - 1);
+    }
+    murk_print(", %s: %s, type %s, %s, %zu x %zu angles\n",
+               murk_path_name(l->file), lamp->format,
+               murk_luminaire_type_name(lamp->type),
+               murk_luminaire_symmetry_name(lamp->symmetry), lamp->horizontals,
+               lamp->verticals);
+    /* The flux. */
+    murk_print("            %.6g lm by the intensities, up to %.6g cd; ",
+               lumens, murk_intensity_max_candela(lamp->intensity));
+    if (isnan(lamp->declared_lumens)) {
+        murk_print("the file declares no flux\n");
+    } else {
+        const double more = lamp->declared_lumens / lumens - 1;
+        murk_print("the file declares %.6g lm", lamp->declared_lumens);
+        if (fabs(more) > AGREES) {
+            murk_print(", %.3g %% %s", 100 * fabs(more),
+                       more > 0 ? "more" : "less");
+        }
+        murk_print("\n");
+    }
+    if (l->lumens > 0 && l->lumens != lumens) {
+        murk_print("            %.6g lm in this scene%s\n", l->lumens,
+                   l->has_lumens ? ", by lumens" : ", by the TILT data");
+    }
+    murk_print("            luminous area: %s%s\n", aperture,
+               l->has_size ? "" : "; size: point, so it has no extent here");
+}
+
+static void print_luminaires(const murk_scene_desc *scene)
+{
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const size_t lamps = lamps_of_item(scene, i);
+        if (scene->lights[i].luminaire && lamps > 0) {
+            print_luminaire(&scene->lights[i], i, lamps);
+        }
+    }
+}
+
 void murk_overview_print_lights(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
     print_power(stage);
+    print_luminaires(scene);
     print_time(stage);
     for (size_t i = 0; i < scene->n_lights; ++i) {
         const murk_sky_facts *facts = &stage->sky[i];
@@ -117,6 +201,53 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
     murk_json_numbers(object, "transmittance", taken.transmittance.band, bands);
 }
 
+static void add_luminaire(cJSON *item, const murk_scene_light *l, size_t number,
+                          size_t lamps)
+{
+    static const char *const shapes[] = {[MURK_APERTURE_POINT] = "point",
+                                         [MURK_APERTURE_RECT] = "rect",
+                                         [MURK_APERTURE_DISC] = "disc"};
+    const murk_luminaire *lamp = l->luminaire;
+    murk_json_number(item, "light", (double)number);
+    murk_json_number(item, "lamps", (double)lamps);
+    cJSON_AddStringToObject(item, "file", murk_path_name(l->file));
+    cJSON_AddStringToObject(item, "format", lamp->format);
+    cJSON_AddStringToObject(item, "name", lamp->name);
+    cJSON_AddStringToObject(item, "photometric_type",
+                            murk_luminaire_type_name(lamp->type));
+    cJSON_AddStringToObject(item, "symmetry",
+                            murk_luminaire_symmetry_name(lamp->symmetry));
+    murk_json_number(item, "horizontal_angles", (double)lamp->horizontals);
+    murk_json_number(item, "vertical_angles", (double)lamp->verticals);
+    /* Not a number becomes null: flux that the file does not declare, and flux
+     * of a luminaire whose watts are given. */
+    murk_json_number(item, "file_lumens",
+                     murk_intensity_lumens(lamp->intensity));
+    murk_json_number(item, "declared_lumens", lamp->declared_lumens);
+    murk_json_number(item, "max_candela",
+                     murk_intensity_max_candela(lamp->intensity));
+    murk_json_number(item, "lumens", l->lumens > 0 ? l->lumens : NAN);
+    murk_json_number(item, "tilt_factor", l->tilt_factor);
+    murk_json_number(item, "input_w", lamp->input_w);
+    cJSON_AddStringToObject(item, "luminous_area", shapes[lamp->aperture]);
+    murk_json_number(item, "along_c0_m", lamp->along_c0_m);
+    murk_json_number(item, "along_c90_m", lamp->along_c90_m);
+}
+
+/* Adds "luminaires", one item for each item of the scene file; nothing if there
+ * are none. */
+static void add_luminaires(cJSON *lights, const murk_scene_desc *scene)
+{
+    cJSON *list = NULL;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const size_t lamps = lamps_of_item(scene, i);
+        if (scene->lights[i].luminaire && lamps > 0) {
+            list = list ? list : cJSON_AddArrayToObject(lights, "luminaires");
+            add_luminaire(murk_json_item(list), &scene->lights[i], i, lamps);
+        }
+    }
+}
+
 void murk_overview_json_lights(cJSON *root, const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -131,6 +262,7 @@ void murk_overview_json_lights(cJSON *root, const murk_stage *stage)
         snprintf(key, sizeof key, "power_%s", units.suffix);
         murk_json_number(lights, key, power_of(stage, scene->units));
     }
+    add_luminaires(lights, scene);
     /* Each light, with its place in the sky. */
     cJSON *list = cJSON_AddArrayToObject(lights, "sky");
     for (size_t i = 0; i < scene->n_lights; ++i) {

@@ -365,7 +365,8 @@ static void draw_light(murk_canvas *c, const murk_section_view *v,
         middle = murk_scale(0.5, murk_add(corner[0], corner[2]));
     }
     murk_section_find(v, middle, at);
-    if (light->type == MURK_SOURCE_BEAM) {
+    if (light->type == MURK_SOURCE_BEAM ||
+        light->type == MURK_SOURCE_LUMINAIRE) {
         double toward[2];
         murk_section_direction(v, murk_unit(light->direction), toward);
         const double length = hypot(toward[0], toward[1]);

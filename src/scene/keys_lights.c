@@ -1,6 +1,7 @@
 /* Keys of light sources, one set of keys for each type, and of the photons
- * that they emit. */
+ * that they emit. scene/light_source.h has the files and powers of lamps. */
 #include "scene/keys_rows.h"
+#include "scene/light_source.h"
 
 static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
@@ -19,15 +20,18 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
             "site.time (or site.date and site.clock)");
     }
     /* Shapes and directions must not be degenerate. */
+    murk_status status = MURK_OK;
     if (murk_yaml_get(map, "edge1_m")) {
-        return murk_check_edges(walk, map, light->edge1, light->edge2);
+        status = murk_check_edges(walk, map, light->edge1, light->edge2);
     }
-    if (murk_yaml_get(map, "direction") &&
+    const bool is_luminaire = light->type == MURK_SOURCE_LUMINAIRE;
+    if ((is_luminaire || murk_yaml_get(map, "direction")) &&
         !(murk_length(light->direction) > 0)) {
         return murk_walk_fail(walk, map,
-                              "direction is [0, 0, 0], must point somewhere");
+                              "%s is [0, 0, 0], must point somewhere",
+                              is_luminaire ? "aim" : "direction");
     }
-    return MURK_OK;
+    return status ? status : murk_light_source_read(walk, map, light);
 }
 
 /* Bits of the variants that a key belongs to: one for each type, and for
@@ -50,13 +54,45 @@ static const murk_word TYPE_WORDS[] = {MURK_SOURCE_TYPES(TYPE_WORD) WORDS_END};
 /* More than 1e15 W/m2 is a mistake. */
 #define IRRADIANCE .max = 1e15, .unit = "W/m2", LIGHT(power_w)
 
+/* ---- rows and columns of lamps ---- */
+
+static murk_status check_array(murk_key_reader *walk, const murk_yaml *map,
+                               void *item)
+{
+    const murk_scene_array *array = item;
+    const murk_vec3 step[] = {array->step1, array->step2};
+    for (int i = 0; i < 2; ++i) {
+        if (array->count[i] > 1 && !(murk_length(step[i]) > 0)) {
+            return murk_walk_fail(walk, map,
+                                  "step%d_m is [0, 0, 0], must point somewhere "
+                                  "for %zu lamps",
+                                  i + 1, array->count[i]);
+        }
+    }
+    return MURK_OK;
+}
+
+#define ARRAY(member) AT(murk_scene_array, member)
+static const murk_key ARRAY_ROWS[] = {
+    ROW("count", SIZES, NEEDED, .min = 1, .max = 256, ARRAY(count)),
+    ROW("step1_m", VECTOR, NEEDED, LONG_M, ARRAY(step1)),
+    ROW("step2_m", VECTOR, LONG_M, .preset = "[0, 0, 0]", ARRAY(step2)),
+    END,
+};
+static const murk_keys ARRAY_KEYS = {
+    .noun = "lamp array", .check = check_array, .key = ARRAY_ROWS};
+
+/* ---- lights ---- */
+
 static const murk_key LIGHT_ROWS[] = {
     ROW("type", WORD, NEEDED, .words = TYPE_WORDS),
     ROW("center_m", VECTOR, NEEDED, PLACE_M, FOR(SPHERE), LIGHT(position)),
     ROW("corner_m", VECTOR, NEEDED, PLACE_M, FOR(RECT), LIGHT(position)),
     ROW("edge1_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(edge1)),
     ROW("edge2_m", VECTOR, NEEDED, LONG_M, FOR(RECT), LIGHT(edge2)),
-    ROW("position_m", VECTOR, NEEDED, PLACE_M, FOR(POINT), LIGHT(position)),
+    ROW("file", PATH, NEEDED, FOR(LUMINAIRE), LIGHT(file)),
+    ROW("position_m", VECTOR, NEEDED, PLACE_M, FOR(POINT | LUMINAIRE),
+        LIGHT(position)),
     ROW("origin_m", VECTOR, NEEDED, PLACE_M, FOR(BEAM), LIGHT(position)),
     ROW("direction", VECTOR, NEEDED, ANY_UNIT, FOR(BEAM | DIRECTIONAL),
         LIGHT(direction)),
@@ -65,8 +101,17 @@ static const murk_key LIGHT_ROWS[] = {
         LIGHT(radius_m)),
     ROW("divergence_deg", NUMBER, .max = 90, RADIANS, FOR(BEAM), .preset = "0",
         LIGHT(divergence_rad)),
-    ROW("power_w", SHARED, NEEDED, .max = 1e15, .unit = "W", FOR(LAMPS),
+    ROW("power_w", SHARED, NEEDED, .max = 1e15, .unit = "W",
+        FOR(LAMPS & ~LUMINAIRE), LIGHT(power_w)),
+    ROW("power_w", SHARED, .max = 1e15, .unit = "W", FOR(LUMINAIRE),
         LIGHT(power_w)),
+    ROW("lumens", NUMBER, .max = 1e15, .unit = "lm", FOR(LUMINAIRE),
+        LIGHT(lumens), IF(has_lumens)),
+    ROW("spectrum", PATH, .group = 1, FOR(LAMPS | DIRECTIONAL),
+        LIGHT(spectrum_file)),
+    ROW("temperature_k", NUMBER, .group = 1, .min = MURK_TEMPERATURE_K_MIN,
+        .max = MURK_TEMPERATURE_K_MAX, .unit = "K", FOR(LAMPS | DIRECTIONAL),
+        LIGHT(temperature_k)),
     ROW("irradiance_w_per_m2", SHARED, NEEDED, IRRADIANCE, FOR(DIRECTIONAL)),
     ROW("irradiance_w_per_m2", SHARED, IRRADIANCE, FOR(BY_TIME | NIGHT_SKY),
         IF(has_irradiance)),
@@ -89,6 +134,14 @@ static const murk_key LIGHT_ROWS[] = {
         .unit = "mag/arcsec2", .preset = "21.6", LIGHT(mag_per_arcsec2)),
     ROW("aim", LIST, .keys = &murk_portal_keys, .preset = "[]",
         FOR(DIRECTIONAL | BY_TIME | NIGHT_SKY)),
+    ROW("aim", VECTOR, ANY_UNIT, .preset = "[0, 0, -1]", FOR(LUMINAIRE),
+        LIGHT(direction)),
+    ROW("roll_deg", NUMBER, .min = -360, .max = 360, RADIANS, FOR(LUMINAIRE),
+        .preset = "0", LIGHT(roll_rad)),
+    ROW("size", WORD, FOR(LUMINAIRE), .preset = "point", LIGHT(has_size),
+        WORDS({"point", false}, {"file", true})),
+    ROW("array", MAP, .keys = &ARRAY_KEYS, FOR(LAMPS),
+        INSIDE(murk_scene_light, array)),
     ROW("schedule", OWN, .read = murk_read_schedule, .preset = "always",
         FOR(LAMPS | DIRECTIONAL), LIGHT(schedule),
         .allowed = MURK_SCHEDULE_ALLOWED,
@@ -107,7 +160,7 @@ const murk_keys murk_light_keys = {
     VARIANT(murk_scene_light, type),
     WHERE(murk_scene_light, where),
     ITEMS(murk_scene_desc, lights, n_lights),
-    .max_items = 256,
+    .max_items = MURK_SCENE_LIGHTS_MAX,
     .needs_item = true,
     .key = LIGHT_ROWS,
 };

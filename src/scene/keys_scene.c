@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "scene/keys_rows.h"
+#include "scene/light_source.h"
 #include "scene/override.h"
 #include "scene/walk_names.h"
 
@@ -105,7 +106,10 @@ static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
                               n.x, n.y, n.z);
     }
     scene->north = murk_scale(1 / length, n);
-    const murk_status status = murk_check_timeline(walk, scene);
+    murk_status status = murk_light_arrays_expand(walk, scene);
+    if (!status) {
+        status = murk_check_timeline(walk, scene);
+    }
     return status ? status : murk_check_conditions(walk, map, item);
 }
 

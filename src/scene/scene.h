@@ -18,6 +18,8 @@
 #include "base/source_type.h"
 #include "base/status.h"
 #include "base/vector.h"
+#include "luminaire/lamp_spectrum.h"
+#include "luminaire/luminaire.h"
 #include "preset/preset.h"
 
 #include <stdbool.h>
@@ -201,12 +203,38 @@ typedef struct murk_scene_portal { /* light passes towards edge1 x edge2 */
     murk_vec3 corner, edge1, edge2;
 } murk_scene_portal;
 
+/* Photon records store the number of a light in 8 bits. */
+#define MURK_SCENE_LIGHTS_MAX 256
+
+/* Rows and columns of lamps that are alike. The lamp of row i and column j
+ * stands i * step1 + j * step2 away from the first. */
+typedef struct murk_scene_array {
+    size_t count[2]; /* 1 or more */
+    murk_vec3 step1, step2;
+} murk_scene_array;
+
 typedef struct murk_scene_light {
     murk_scene_where where;
     murk_source_type type;
+    size_t item; /* number of the item of the scene file: an array is one item
+                  * and several lights */
     murk_vec3 position; /* center, corner, position or origin */
-    murk_vec3 edge1, edge2, direction;
+    murk_vec3 edge1, edge2;
+    murk_vec3 direction; /* luminaire: the aim */
     double radius_m, divergence_rad;
+    murk_scene_array array; /* of the first lamp; count 0: a single lamp */
+    /* luminaires: */
+    char *file;
+    murk_luminaire *luminaire; /* contents of the file */
+    double roll_rad;
+    bool has_size; /* the opening of the file; false: a point */
+    double lumens; /* the flux; without the key that of the file */
+    bool has_lumens;
+    double tilt_factor; /* by which the flux of the file is multiplied */
+    /* lamps and directional light: */
+    char *spectrum_file;
+    double temperature_k;
+    murk_lamp_spectrum *spectrum; /* of either; NULL: even in wavelength */
     murk_spectrum power_w; /* per band; for directional light and lights of the
                               sky an irradiance [W/m2] */
     murk_scene_schedule schedule;

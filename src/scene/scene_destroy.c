@@ -62,6 +62,10 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
             murk_mixture_destroy(scene->media[i].phase[k].mixture);
         }
     }
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        murk_luminaire_destroy(scene->lights[i].luminaire);
+        murk_lamp_spectrum_destroy(scene->lights[i].spectrum);
+    }
     murk_scene_points *points = &scene->sensors.candidates.points;
     for (size_t i = 0; i < points->files; ++i) {
         free(points->file[i]);

@@ -15,6 +15,7 @@
 #include "base/memory_files.h"
 #include "scene/conditions.h"
 #include "scene/idle.h"
+#include "scene/light_source.h"
 #include "scene/medium_preset.h"
 #include "scene/origin.h"
 #include "scene/override.h"
@@ -189,6 +190,9 @@ static char *print_key(const murk_key_reader *walk,
     murk_print_map(out, walk->root, is_wanted);
     if (is_wanted("media")) {
         murk_medium_preset_sign(out, scene);
+    }
+    if (is_wanted("lights")) {
+        murk_light_source_sign(out, scene);
     }
     if (is_wanted("geometry") && scene->timeline.given) {
         fprintf(out, "rounding of the domain\n"); /* world/stage_build.c */

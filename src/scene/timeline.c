@@ -261,17 +261,34 @@ static murk_affine placed(const murk_yaml *item)
         vector_or_zero(murk_yaml_get(item, "translate_m")));
 }
 
+/* The row of that name that holds a vector: `aim` is a vector of one type of
+ * light and a list of portals of another. NULL: there is none. */
+static const murk_key *find_vector(const murk_keys *keys, const char *name)
+{
+    const murk_key *key = keys->key;
+    while (key->name &&
+           (strcmp(key->name, name) != 0 || key->kind != MURK_KEY_VECTOR)) {
+        ++key;
+    }
+    return key->name ? key : NULL;
+}
+
 /* Moves the positions and directions of a light. */
 static murk_status move_light(changes *c, const murk_scene_track *track,
                               size_t number, const murk_affine *motion)
 {
     murk_yaml *light = murk_yaml_get(c->root, "lights")->child[number];
     const murk_keys *lights = murk_keys_find(&murk_scene_keys, "lights")->keys;
+    if (murk_yaml_get(light, "array")) {
+        return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                         "lights: %zu is an array, must be a light alone",
+                         number);
+    }
     for (size_t i = 0; i < light->n; ++i) {
         murk_yaml *node = light->child[i];
-        const murk_key *key = murk_keys_find(lights, light->key[i]);
-        if (!key || key->kind != MURK_KEY_VECTOR ||
-            node->kind != MURK_YAML_LIST || node->n != 3) {
+        const murk_key *key = find_vector(lights, light->key[i]);
+        if (!key || node->kind != MURK_YAML_LIST || node->n != 3 ||
+            node->child[0]->kind != MURK_YAML_SCALAR) {
             continue;
         }
         char path[PATH_SIZE];

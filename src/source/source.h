@@ -6,6 +6,7 @@
 #include "base/bands.h"
 #include "base/source_type.h"
 #include "base/vector.h"
+#include "luminaire/intensity.h"
 #include "source/dome.h"
 
 #include <stdbool.h>
@@ -28,12 +29,17 @@ typedef struct murk_portal {
 typedef struct murk_source {
     murk_source_type type;
     murk_vec3 position;     /* center of a sphere, corner of a rect, the point,
-                             * center of the disc of a beam */
-    murk_vec3 edge1, edge2; /* rect */
-    murk_vec3 direction;    /* beam, directional: direction of travel, any
-                             * length */
-    double radius_m;        /* sphere, beam */
-    double divergence_rad;  /* beam: half angle of the cone */
+                             * center of the disc of a beam, center of the
+                             * opening of a luminaire */
+    murk_vec3 edge1, edge2; /* rect; luminaire: sides of a rectangular opening,
+                             * along C = 0 and C = 90 degrees */
+    murk_vec3 direction;    /* beam, directional: direction of travel;
+                             * luminaire: photometric zero; any length */
+    double radius_m;        /* sphere, beam; luminaire: of a round opening */
+    const murk_intensity *intensity; /* luminaire: the distribution */
+    murk_vec3 c0; /* luminaire: direction of C = 0, gamma = 90 degrees; made
+                   * perpendicular to `direction`, any length */
+    double divergence_rad;     /* beam: half angle of the cone */
     double angular_radius_rad; /* directional: angular radius of the source; 0:
                                 * parallel rays */
     murk_dome dome;            /* dome: the distribution of radiance */

@@ -122,7 +122,9 @@ murk_status murk_source_check_sheet(const murk_portal *sheet,
 const murk_source_row *murk_source_row_of(const murk_source *light)
 {
     return murk_source_is_distant(light) ? murk_source_distant_row(light)
-                                         : &murk_source_lamp_rows[light->type];
+           : light->type == MURK_SOURCE_LUMINAIRE
+               ? &murk_source_luminaire_row
+               : &murk_source_lamp_rows[light->type];
 }
 
 murk_status murk_source_state_prepare(murk_source_state *s, size_t bands,
@@ -138,6 +140,7 @@ void murk_source_state_release(murk_source_state *s)
 {
     free((char *)(uintptr_t)s->light.where);
     free((murk_portal *)(uintptr_t)s->light.portal);
+    murk_intensity_destroy((murk_intensity *)(uintptr_t)s->light.intensity);
     murk_entry_faces_destroy(s->entry_faces);
 }
 

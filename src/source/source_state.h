@@ -1,15 +1,17 @@
 /* One light source after checking, with quantities for emission, and the row of
  * functions of each type of light source. For use inside src/source only.
  *
- * The rows of lamps are in lamps.c, those of distant light in distant.c. */
+ * The rows of lamps are in lamps.c and luminaires.c, those of distant light in
+ * distant.c. */
 #ifndef MURK_SOURCE_SOURCE_STATE_H
 #define MURK_SOURCE_SOURCE_STATE_H
 
 #include "source/entry_faces.h"
 
 typedef struct murk_source_state {
-    murk_source light; /* direction normalised; `where` and `portal` are
-                        * copies */
+    murk_source light; /* direction normalised, c0 too and perpendicular to it;
+                        * `where` and `portal` are copies, `intensity` is
+                        * shared */
     const murk_domain *domain;
     bool is_dark;       /* without power */
     double power_scale; /* watts for each unit of power_w: an area in m2 if
@@ -72,8 +74,9 @@ typedef struct murk_source_row {
                               murk_vec3 to_lamp, bool has_images);
 } murk_source_row;
 
-/* Indexed by murk_source_type; for lamps only. */
+/* Indexed by murk_source_type; for lamps but luminaires. */
 extern const murk_source_row murk_source_lamp_rows[];
+extern const murk_source_row murk_source_luminaire_row;
 
 /* The row of a light that is no lamp. */
 const murk_source_row *murk_source_distant_row(const murk_source *light);

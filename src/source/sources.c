@@ -60,6 +60,7 @@ static murk_status add(murk_sources *lights, size_t i, const murk_source *light,
         return murk_no_memory(err, where, "for a light");
     }
     s->light = *light;
+    s->light.intensity = murk_intensity_share(light->intensity);
     s->light.where = strcpy(copy, where);
     if (portals > 0) {
         memcpy(portal, light->portal, portals * sizeof *portal);

@@ -21,6 +21,7 @@
 #include "source/night_sky.h"
 #include "source/solar_spectrum.h"
 #include "source/twilight.h"
+#include "world/lamp_shape.h"
 
 #define DAY_S     86400.0         /* seconds of a day */
 #define RAD       (MURK_PI / 180) /* radians in a degree */
@@ -440,15 +441,19 @@ static murk_status night_light(murk_source *out, murk_sky_facts *facts,
 
 murk_source murk_sky_lamp(const murk_scene_light *light)
 {
-    return (murk_source){.type = light->type,
-                         .position = light->position,
-                         .edge1 = light->edge1,
-                         .edge2 = light->edge2,
-                         .direction = light->direction,
-                         .radius_m = light->radius_m,
-                         .divergence_rad = light->divergence_rad,
-                         .power_w = light->power_w,
-                         .where = light->where};
+    murk_source out = {.type = light->type,
+                       .position = light->position,
+                       .edge1 = light->edge1,
+                       .edge2 = light->edge2,
+                       .direction = light->direction,
+                       .radius_m = light->radius_m,
+                       .divergence_rad = light->divergence_rad,
+                       .power_w = light->power_w,
+                       .where = light->where};
+    if (light->luminaire) {
+        murk_lamp_shape(&out, light);
+    }
+    return out;
 }
 
 static double sum(const murk_spectrum *spectrum, int bands)
@@ -482,6 +487,7 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
         status = of_sky[l->type](out, facts, scene, l, err);
     } else {
         *out = murk_sky_lamp(l);
+        facts->lamp_spectrum = l->spectrum;
         status = shines(&facts->is_on, scene, l, err);
     }
     if (status) {

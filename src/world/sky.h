@@ -28,8 +28,9 @@ typedef struct murk_sky_facts {
                                    * directional light, on a level plane for
                                    * skies; NAN for lamps */
     murk_solar_spectrum spectrum; /* spectrum of sun, moon and skies; without
-                                   * nodes for other sources, whose power is
-                                   * even within a band */
+                                   * nodes for other sources */
+    const murk_lamp_spectrum *lamp_spectrum; /* of other sources; NULL: their
+                                              * power is even within a band */
 } murk_sky_facts;
 
 /* Converts a lamp or directional light without its portals; the schedule is

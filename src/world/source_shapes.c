@@ -5,6 +5,7 @@
 
 #include "world/sky.h"
 
+#include <inttypes.h>
 #include <stdlib.h>
 
 static bool shines(const murk_source *light)
@@ -38,6 +39,12 @@ static void put_light(FILE *out, const murk_source *l)
     put_vector(out, l->direction);
     fprintf(out, "%a %a %a %a %a %a\n", l->angular_radius_rad, l->dome.a,
             l->dome.b, l->dome.c, l->dome.d, l->dome.e);
+    if (l->intensity) {
+        uint64_t sum[2];
+        murk_intensity_checksum(l->intensity, sum);
+        fprintf(out, "%" PRIx64 " %" PRIx64 "\n", sum[0], sum[1]);
+        put_vector(out, l->c0);
+    }
     if (l->dome.c != 0 || l->dome.e != 0) { /* if both are 0, the direction of
                                              * sun or moon is not used */
         put_vector(out, l->dome.towards);

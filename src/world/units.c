@@ -19,24 +19,30 @@ murk_units murk_units_of(murk_quantity quantity)
     return KNOWN[quantity];
 }
 
-/* spectrum is NULL for a light source that is even in wavelength. */
+/* shape is NULL for a light source that is even in wavelength. */
 static double per_watt(murk_quantity quantity, const murk_scene_desc *scene,
-                       int band, const murk_solar_spectrum *spectrum)
+                       int band, murk_spectral_shape shape,
+                       const void *spectrum)
 {
     const double line = scene->band_nm[band];
     const double from = scene->has_edges ? scene->band_edge_nm[band] : line;
     const double to = scene->has_edges ? scene->band_edge_nm[band + 1] : line;
-    return spectrum ? murk_quantity_per_watt_of(
-                          quantity, from, to, murk_solar_spectrum_at, spectrum)
-                    : murk_quantity_per_watt(quantity, from, to);
+    return shape
+               ? murk_quantity_per_watt_of(quantity, from, to, shape, spectrum)
+               : murk_quantity_per_watt(quantity, from, to);
 }
 
 double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
                            size_t light, int band)
 {
-    const murk_solar_spectrum *spectrum = &stage->sky[light].spectrum;
+    const murk_sky_facts *facts = &stage->sky[light];
+    if (facts->spectrum.nodes > 0) {
+        return per_watt(quantity, stage->scene, band, murk_solar_spectrum_at,
+                        &facts->spectrum);
+    }
     return per_watt(quantity, stage->scene, band,
-                    spectrum->nodes > 0 ? spectrum : NULL);
+                    facts->lamp_spectrum ? murk_lamp_spectrum_at : NULL,
+                    facts->lamp_spectrum);
 }
 
 void murk_units_packets(double *out, murk_quantity quantity,
@@ -64,7 +70,7 @@ void murk_units_note(const murk_scene_desc *scene)
     char list[16 * MURK_BANDS_MAX] = "";
     size_t used = 0;
     for (int i = 0; i < scene->bands; ++i) {
-        if (!(per_watt(scene->units, scene, i, NULL) > 0)) {
+        if (!(per_watt(scene->units, scene, i, NULL, NULL) > 0)) {
             used += (size_t)snprintf(list + used, sizeof list - used, "%s%.5g",
                                      used ? ", " : "", scene->band_nm[i]);
         }

@@ -3,7 +3,7 @@
  * computed). */
 #include "base/file.h"
 #include "check.h"
-#include "luminaire/luminaire.h"
+#include "luminaire/photometric_file.h"
 #include "scene/table.h"
 
 #include <stdio.h>
@@ -59,6 +59,7 @@ static void test_intensities(void)
         if (!lamp) {
             continue;
         }
+        /* By angles, and by the direction of these angles. */
         const double c = number(t, i, "C_deg"), g = number(t, i, "gamma_deg");
         const double want = number(t, i, "candela");
         const double got = murk_intensity_at_angles(lamp->intensity, g, c);

@@ -185,6 +185,7 @@ static double worst_cell(uint32_t seed, double wrong)
         largest = flux[i] > flux[largest] ? i : largest;
     }
     flux[largest] *= wrong;
+    /* Count draws by cell. */
     for (uint64_t i = 0; i < samples; ++i) {
         const murk_random4 u = murk_random(seed, MURK_TEST, i, 0, 0);
         const murk_vec3 d = murk_intensity_draw(t, u.u[0], u.u[1]);

@@ -3,7 +3,7 @@
 #include "base/file.h"
 #include "base/log.h"
 #include "check.h"
-#include "luminaire/luminaire.h"
+#include "luminaire/photometric_file.h"
 #include "written.h"
 
 #include <stdlib.h>
@@ -75,6 +75,7 @@ static void test_versions_and_factors(void)
          "LM-63-2019", 1.8},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
+        /* Each version has the same table. */
         murk_luminaire *lamp = good(ies(known[i].head, ROUND, TABLE));
         if (lamp) {
             CHECK_TEXT(lamp->format, known[i].format);
@@ -94,7 +95,7 @@ static void test_absolute_photometry(void)
     murk_luminaire *lamp =
         good(ies(HEAD, "1 -1 1 3 1 1 2 0 0 0 1 1 40\n", TABLE));
     CHECK(lamp && isnan(lamp->declared_lumens));
-    CHECK(lamp && lamp->opening == MURK_OPENING_POINT);
+    CHECK(lamp && lamp->aperture == MURK_APERTURE_POINT);
     CHECK_TEXT(lamp ? lamp->name : "", "Lamp");
     murk_luminaire_destroy(lamp);
 }
@@ -170,31 +171,32 @@ static void test_types_a_and_b(void)
     }
 }
 
-static void test_openings(void)
+static void test_apertures(void)
 {
     static const struct {
         const char *year, *size;
-        murk_luminaire_opening opening;
+        murk_luminaire_aperture aperture;
         double along_c0_m, along_c90_m;
     } known[] = {
-        {"2002", "2 0 0 0", MURK_OPENING_POINT, 0, 0},
-        {"2002", "2 .3 .5 0", MURK_OPENING_RECT, .5, .3},
-        {"2002", "1 1 2 .1", MURK_OPENING_RECT, .6096, .3048},
-        {"2002", "2 -.4 -.4 0", MURK_OPENING_DISC, .4, 0},
-        {"1995", "2 -.4 0 .05", MURK_OPENING_DISC, .4, 0},
-        {"1995", "2 -.4 .9 0", MURK_OPENING_DISC, .6, 0},
-        {"2002", "2 -.4 .9 -.4", MURK_OPENING_RECT, .9, .4},
-        {"1995", "2 0 .9 -.2", MURK_OPENING_RECT, .9, .2},
-        {"2002", "2 -.2 -.2 -.2", MURK_OPENING_DISC, .2, 0},
+        {"2002", "2 0 0 0", MURK_APERTURE_POINT, 0, 0},
+        {"2002", "2 .3 .5 0", MURK_APERTURE_RECT, .5, .3},
+        {"2002", "1 1 2 .1", MURK_APERTURE_RECT, .6096, .3048},
+        {"2002", "2 -.4 -.4 0", MURK_APERTURE_DISC, .4, 0},
+        {"1995", "2 -.4 0 .05", MURK_APERTURE_DISC, .4, 0},
+        {"1995", "2 -.4 .9 0", MURK_APERTURE_DISC, .6, 0},
+        {"2002", "2 -.4 .9 -.4", MURK_APERTURE_RECT, .9, .4},
+        {"1995", "2 0 .9 -.2", MURK_APERTURE_RECT, .9, .2},
+        {"2002", "2 -.2 -.2 -.2", MURK_APERTURE_DISC, .2, 0},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
+        /* units, width, length, height */
         char head[80], numbers[80];
         snprintf(head, sizeof head, "IESNA:LM-63-%s\nTILT=NONE\n",
                  known[i].year);
         snprintf(numbers, sizeof numbers, "1 1 1 3 1 1 %s 1 1 1\n",
                  known[i].size);
         murk_luminaire *lamp = good(ies(head, numbers, TABLE));
-        CHECK(lamp && lamp->opening == known[i].opening);
+        CHECK(lamp && lamp->aperture == known[i].aperture);
         CHECK_NEAR(lamp ? lamp->along_c0_m : 0, known[i].along_c0_m, 1e-12);
         CHECK_NEAR(lamp ? lamp->along_c90_m : 0, known[i].along_c90_m, 1e-12);
         murk_luminaire_destroy(lamp);
@@ -308,6 +310,7 @@ static const char *ldt(int symmetry, const char *factor)
 {
     static char text[MAX_TEXT];
     static const int first[] = {0, 0, 0, 18, 0}, n[] = {24, 1, 13, 13, 7};
+    /* The head, with two sets of lamps. */
     size_t k = (size_t)snprintf(
         text, sizeof text,
         "Maker\n1\n%d\n%d\n15\n%d\n30\nreport\nLamp \xe4\nnumber\nfile\ndate\n"
@@ -349,7 +352,7 @@ static void test_symmetries_of_eulumdat(void)
             CHECK_TEXT(lamp->name, "Lamp ?");
             CHECK(lamp->lamp_lumens == 2000 && lamp->declared_lumens == 1600);
             CHECK(lamp->input_w == 30);
-            CHECK(lamp->opening == MURK_OPENING_RECT);
+            CHECK(lamp->aperture == MURK_APERTURE_RECT);
             CHECK_NEAR(lamp->along_c0_m, .2, 1e-15);
             CHECK_NEAR(lamp->along_c90_m, .5, 1e-15);
         }
@@ -424,7 +427,7 @@ int main(void)
     test_absolute_photometry();
     test_symmetries_of_lm_63();
     test_types_a_and_b();
-    test_openings();
+    test_apertures();
     test_tilt();
     test_refusals_of_lm_63();
     test_separators();

@@ -328,16 +328,17 @@ static void test_lights(void)
     CHECK_REFUSED(
         HEAD "lights:\n  - {power_w: 1}\n", VALUE, "fog.yaml:3:5: lights.0",
         "misses type, must be sphere, rect, point, beam, directional, sun, "
-        "moon, sky, night_sky");
+        "moon, sky, night_sky, luminaire");
     CHECK_REFUSED(HEAD "lights:\n  - {type: point, position_m: [0, 0, 0]}\n",
                   VALUE, "fog.yaml:3:5: lights.0",
                   "misses power_w, must be a number (the total), 0..1e15 W, or "
                   "a list, one a band");
-    CHECK_REFUSED(HEAD "lights:\n  - {type: point, position_m: [0, 0, 0], "
-                       "power_w: 1, radius_m: 1}\n",
-                  VALUE, "fog.yaml:3:54: lights.0.radius_m",
-                  "not a key of a light (point), must be one of type, "
-                  "position_m, power_w, schedule");
+    CHECK_REFUSED(
+        HEAD "lights:\n  - {type: point, position_m: [0, 0, 0], "
+             "power_w: 1, radius_m: 1}\n",
+        VALUE, "fog.yaml:3:54: lights.0.radius_m",
+        "not a key of a light (point), must be one of type, "
+        "position_m, power_w, spectrum, temperature_k, array, schedule");
     CHECK_REFUSED(HEAD "lights:\n  - {type: directional, direction: [0, 0, 0], "
                        "irradiance_w_per_m2: 1}\n",
                   VALUE, "fog.yaml:3:5: lights.0",
