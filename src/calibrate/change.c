@@ -121,7 +121,8 @@ static murk_status compare_power(murk_changes *c, size_t channel,
     const double at_w = at->power_w[channel];
     if (traced_w == 0 && at_w > 0) {
         char where[64];
-        snprintf(where, sizeof where, "lights.%zu", channel / (size_t)c->bands);
+        snprintf(where, sizeof where, "lights.%zu",
+                 traced->scene->lights[channel / (size_t)c->bands].item);
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "its power is 0 in band %zu, which cannot be "
                          "re-weighted to %g W: must start above 0",

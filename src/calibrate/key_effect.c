@@ -163,7 +163,8 @@ bool murk_key_effect_from_nothing(char *key, size_t size, const murk_optics *a,
     }
     for (size_t c = 0; c < a->channels; ++c) {
         if (!(a->power_w[c] > 0) && b->power_w[c] > 0) {
-            snprintf(key, size, "lights.%zu", c / (size_t)a->bands);
+            snprintf(key, size, "lights.%zu",
+                     a->scene->lights[c / (size_t)a->bands].item);
             return true;
         }
     }

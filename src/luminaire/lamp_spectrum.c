@@ -1,4 +1,6 @@
-/* Black bodies and tables as spectra of lamps. */
+/* Black bodies and tables as spectra of lamps: values, integrals over bands,
+ * and the luminous flux of the whole. The scale of a black body is that of 1 at
+ * 555 nm, so that no temperature under- or overflows. */
 #include "luminaire/lamp_spectrum.h"
 
 #include <math.h>
@@ -13,8 +15,10 @@
 /* Exponents above this leave nothing: exp(-600) is 1e-261. */
 #define EXPONENT_MAX 600.0
 
+/* Steps of Simpson's rule (luminaire/lamp_spectrum.h): at 500 K the spectrum of
+ * the visible changes by 5 % in 1 nm, which the rule integrates to 1e-9. */
 #define STEP_NM   1.0
-#define STEPS_MAX 20000.0
+#define STEPS_MAX 20000.0 /* bounds the time of a band that is very wide */
 
 /* The ends of V (base/photometry.h). */
 #define VISIBLE_FROM_NM 380.0

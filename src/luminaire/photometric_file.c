@@ -1,4 +1,6 @@
-/* Reads a photometric file of either format. */
+/* Reads a photometric file of either format. A line that begins with TILT=,
+ * which LM-63 asks for, tells the formats apart; ies.c and eulumdat.c read
+ * them. */
 #include "luminaire/photometric_file.h"
 
 #include <stdbool.h>

@@ -3,6 +3,9 @@
 #include "scene/keys_rows.h"
 #include "scene/light_source.h"
 
+/* The sine of the angle between c0 and aim below which c0 is along the aim. */
+#define ALONG 1e-6
+
 static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
                                void *item)
 {
@@ -30,6 +33,12 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
         return murk_walk_fail(walk, map,
                               "%s is [0, 0, 0], must point somewhere",
                               is_luminaire ? "aim" : "direction");
+    }
+    if (light->has_c0 &&
+        !(murk_length(murk_cross(light->c0, light->direction)) >
+          ALONG * murk_length(light->c0) * murk_length(light->direction))) {
+        return murk_walk_fail(walk, map,
+                              "c0 is zero or along the aim, must point aside");
     }
     return status ? status : murk_light_source_read(walk, map, light);
 }
@@ -136,6 +145,7 @@ static const murk_key LIGHT_ROWS[] = {
         FOR(DIRECTIONAL | BY_TIME | NIGHT_SKY)),
     ROW("aim", VECTOR, ANY_UNIT, .preset = "[0, 0, -1]", FOR(LUMINAIRE),
         LIGHT(direction)),
+    ROW("c0", VECTOR, ANY_UNIT, FOR(LUMINAIRE), LIGHT(c0), IF(has_c0)),
     ROW("roll_deg", NUMBER, .min = -360, .max = 360, RADIANS, FOR(LUMINAIRE),
         .preset = "0", LIGHT(roll_rad)),
     ROW("size", WORD, FOR(LUMINAIRE), .preset = "point", LIGHT(has_size),

@@ -17,6 +17,7 @@
 #define NM_MIN   1.0
 #define NM_MAX   1e7
 #define ROWS_MAX 100000
+#define COLUMNS  "wavelength_nm and power_per_nm"
 
 /* ---- files ---- */
 
@@ -32,26 +33,6 @@ static murk_status read_luminaire(murk_key_reader *walk,
         }
     }
     return murk_luminaire_read(&light->luminaire, light->file, walk->err);
-}
-
-/* Reads one column of a spectrum; *out is owned by the caller. */
-static murk_status read_column(double **out, const murk_table *csv,
-                               const char *name, murk_error *err)
-{
-    const long column = murk_table_column(csv, name);
-    if (column < 0) {
-        return murk_fail(err, MURK_BAD_FILE, csv->path,
-                         "misses column %s, must have wavelength_nm and "
-                         "power_per_nm",
-                         name);
-    }
-    *out = malloc((csv->rows + 1) * sizeof **out);
-    murk_status status =
-        *out ? MURK_OK : murk_no_memory(err, csv->path, "for a spectrum");
-    for (size_t i = 0; i < csv->rows && !status; ++i) {
-        status = murk_table_number(csv, i, column, NAN, &(*out)[i], err);
-    }
-    return status;
 }
 
 /* Checks that wavelengths rise and that there is power. */
@@ -88,10 +69,12 @@ static murk_status read_spectrum(murk_lamp_spectrum **out, const char *path,
     double *nm = NULL, *power = NULL;
     murk_status status = murk_table_read(&csv, path, err);
     if (!status) {
-        status = read_column(&nm, csv, "wavelength_nm", err);
+        status =
+            murk_table_read_column(csv, "wavelength_nm", COLUMNS, &nm, err);
     }
     if (!status) {
-        status = read_column(&power, csv, "power_per_nm", err);
+        status =
+            murk_table_read_column(csv, "power_per_nm", COLUMNS, &power, err);
     }
     if (!status) {
         status = check_spectrum(csv, nm, power, err);

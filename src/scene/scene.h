@@ -226,6 +226,8 @@ typedef struct murk_scene_light {
     /* luminaires: */
     char *file;
     murk_luminaire *luminaire; /* contents of the file */
+    murk_vec3 c0;              /* direction of C = 0 at roll 0 */
+    bool has_c0;               /* false: by the rule of world/lamp_shape.h */
     double roll_rad;
     bool has_size; /* the opening of the file; false: a point */
     double lumens; /* the flux; without the key that of the file */

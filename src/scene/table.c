@@ -222,6 +222,24 @@ long murk_table_column(const murk_table *table, const char *name)
     return -1;
 }
 
+murk_status murk_table_read_column(const murk_table *table, const char *name,
+                                   const char *needs, double **out,
+                                   murk_error *err)
+{
+    const long column = murk_table_column(table, name);
+    *out = NULL;
+    if (column < 0) {
+        return murk_fail(err, MURK_BAD_FILE, table->path,
+                         "misses column %s, must have %s", name, needs);
+    }
+    *out = malloc((table->rows + 1) * sizeof **out);
+    murk_status status = *out ? MURK_OK : no_memory(table->path, err);
+    for (size_t i = 0; i < table->rows && !status; ++i) {
+        status = murk_table_number(table, i, column, NAN, &(*out)[i], err);
+    }
+    return status;
+}
+
 murk_status murk_table_number(const murk_table *table, size_t row, long column,
                               double missing, double *out, murk_error *err)
 {

@@ -32,6 +32,14 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
                              size_t size, murk_error *err);
 void murk_table_destroy(murk_table *table); /* NULL is fine */
 
+/* Reads the numbers of a column into (*out)[rows], which the caller frees, also
+ * after a failure. needs: the columns that the table must have, for the message
+ * "misses column NAME, must have ...". Fails with MURK_BAD_FILE, as
+ * murk_table_number(), or with MURK_NO_MEMORY. */
+murk_status murk_table_read_column(const murk_table *table, const char *name,
+                                   const char *needs, double **out,
+                                   murk_error *err);
+
 /* The index of the column with a name, from 0, or -1. */
 long murk_table_column(const murk_table *table, const char *name);
 

@@ -24,6 +24,9 @@
  * steps and of files are computed from decimal fractions. */
 #define TIME_ROUNDING 1e-9
 
+/* The length of the difference of unit vectors that rounding may make. */
+#define TURN_ROUNDING 1e-9
+
 /* ---- steps ---- */
 
 size_t murk_timeline_steps(const murk_scene_timeline *t)
@@ -273,16 +276,48 @@ static const murk_key *find_vector(const murk_keys *keys, const char *name)
     return key->name ? key : NULL;
 }
 
+/* True if a motion turns directions by more than rounding. */
+static bool does_turn(const murk_affine *motion)
+{
+    const murk_vec3 axis[2] = {{1, 0, 0}, {0, 1, 0}};
+    bool turns = false;
+    for (int i = 0; i < 2; ++i) {
+        const murk_vec3 moved =
+            murk_unit(murk_affine_direction(motion, axis[i]));
+        turns = turns || murk_length(murk_sub(moved, axis[i])) > TURN_ROUNDING;
+    }
+    return turns;
+}
+
+/* Refuses lights that cannot move along: arrays, and luminaires that turn and
+ * do not say which direction of theirs is C = 0. */
+static murk_status check_mover(const changes *c, const murk_scene_track *track,
+                               const murk_yaml *light, size_t number,
+                               const murk_affine *motion)
+{
+    if (murk_yaml_get(light, "array")) {
+        return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                         "lights: %zu is an array, must be a light alone",
+                         number);
+    }
+    if (murk_yaml_get(light, "file") && !murk_yaml_get(light, "c0") &&
+        does_turn(motion)) {
+        return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                         "lights: %zu is a luminaire that turns, must have c0",
+                         number);
+    }
+    return MURK_OK;
+}
+
 /* Moves the positions and directions of a light. */
 static murk_status move_light(changes *c, const murk_scene_track *track,
                               size_t number, const murk_affine *motion)
 {
     murk_yaml *light = murk_yaml_get(c->root, "lights")->child[number];
     const murk_keys *lights = murk_keys_find(&murk_scene_keys, "lights")->keys;
-    if (murk_yaml_get(light, "array")) {
-        return murk_fail(c->err, MURK_BAD_VALUE, track->where,
-                         "lights: %zu is an array, must be a light alone",
-                         number);
+    const murk_status bad = check_mover(c, track, light, number, motion);
+    if (bad) {
+        return bad;
     }
     for (size_t i = 0; i < light->n; ++i) {
         murk_yaml *node = light->child[i];

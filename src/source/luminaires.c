@@ -1,15 +1,15 @@
 /* Luminaires: lamps whose luminous intensity over directions is a table
  * (luminaire/intensity.h).
  *
- * Every point of the opening, a point, a rectangle or a disc, emits with the
- * same distribution over directions, that of the table. The intensity of the
- * whole is then that of the table at any distance that is large against the
- * opening, as it was measured. A photon starts at a uniform point of the
- * opening in a direction drawn from the table. Seen from a point (shine), a
- * point of the opening is drawn and the irradiance is intensity / distance^2;
- * along a line of sight (glare) the radiance is intensity / (area times
- * cosine). The opening is luminous on both sides, as far as the table has light
- * there. */
+ * Every point of the luminous area, a point, a rectangle or a disc, emits with
+ * the same distribution over directions, that of the table. The intensity of
+ * the whole is then that of the table at any distance that is large against the
+ * area, as it was measured. A photon starts at a uniform point of the
+ * area in a direction drawn from the table. Seen from a point (shine), a
+ * point of the luminous area is drawn and the irradiance is intensity /
+ * distance^2; along a line of sight (glare) the radiance is intensity / (area
+ * times cosine). The area is luminous on both sides, as far as the table has
+ * light there. */
 #include "source/source_state.h"
 
 #include <math.h>
@@ -62,7 +62,7 @@ static murk_vec3 normal(const murk_source *l)
                : murk_scale(-1, l->direction);
 }
 
-/* Half of the size of the opening along each axis. */
+/* Half of the size of the luminous area along each axis. */
 static murk_vec3 reach_of(const murk_source *l)
 {
     const murk_vec3 d = murk_unit(l->direction), e = l->edge1, f = l->edge2;
@@ -134,9 +134,9 @@ static bool shine(const murk_source_state *s, int band, murk_vec3 place,
     return shine->irradiance_w_per_m2 > 0;
 }
 
-/* True if a point in the plane of the opening, relative to the center, lies in
- * the opening. */
-static bool is_in_opening(const murk_source *l, murk_vec3 aside)
+/* True if a point in the plane of the luminous area, relative to the center,
+ * lies in the area. */
+static bool is_in_area(const murk_source *l, murk_vec3 aside)
 {
     if (l->radius_m > 0) {
         return murk_dot(aside, aside) < l->radius_m * l->radius_m;
@@ -157,7 +157,7 @@ static murk_glare glare(const murk_source_state *s, int band, murk_vec3 place,
     const murk_vec3 to = murk_sub(l->position, place);
     const double distance = murk_dot(to, l->direction) / cosine;
     if (!(distance > 0 &&
-          is_in_opening(l, murk_sub(murk_scale(distance, sight), to)))) {
+          is_in_area(l, murk_sub(murk_scale(distance, sight), to)))) {
         return (murk_glare){0};
     }
     const double share = share_per_sr(l, murk_scale(-1, sight));

@@ -38,7 +38,10 @@ void murk_lamp_shape(murk_source *out, const murk_scene_light *light)
     const murk_luminaire *lamp = light->luminaire;
     const murk_vec3 aim = murk_unit(light->direction);
     const murk_vec3 c0 =
-        lamp->type == MURK_GONIOMETER_C ? smallest_turn(aim) : upright(aim);
+        light->has_c0
+            ? murk_unit(murk_along(light->c0, -murk_dot(light->c0, aim), aim))
+        : lamp->type == MURK_GONIOMETER_C ? smallest_turn(aim)
+                                          : upright(aim);
     const murk_vec3 c90 = murk_cross(c0, aim);
     const double c = cos(light->roll_rad), s = sin(light->roll_rad);
     out->intensity = lamp->intensity;

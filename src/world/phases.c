@@ -24,26 +24,8 @@
  * light lies in one of the two extensions. The share is a choice. */
 #define BEYOND_ROWS .1
 
-/* Reads the numbers of one column. The caller frees *out, also after a failure.
- */
-static murk_status read_column(double **out, const murk_table *csv,
-                               const char *name, murk_error *err)
-{
-    const long column = murk_table_column(csv, name);
-    if (column < 0) {
-        return murk_fail(err, MURK_BAD_FILE, csv->path,
-                         "misses column %s, must have angle_deg and "
-                         "phase_per_sr",
-                         name);
-    }
-    *out = malloc((csv->rows + 1) * sizeof **out);
-    murk_status status =
-        *out ? MURK_OK : murk_no_memory(err, csv->path, "for a phase function");
-    for (size_t i = 0; i < csv->rows && !status; ++i) {
-        status = murk_table_number(csv, i, column, NAN, &(*out)[i], err);
-    }
-    return status;
-}
+/* The columns of a measured table, in messages. */
+#define COLUMNS "angle_deg and phase_per_sr"
 
 /* Warns if more than BEYOND_ROWS of the light lies before the first row or
  * beyond the last row of a table. */
@@ -67,10 +49,11 @@ static murk_status read_table(murk_phase_table **out, const char *path,
     /* Read both columns. */
     murk_status status = murk_table_read(&csv, path, err);
     if (!status) {
-        status = read_column(&angle, csv, "angle_deg", err);
+        status = murk_table_read_column(csv, "angle_deg", COLUMNS, &angle, err);
     }
     if (!status) {
-        status = read_column(&value, csv, "phase_per_sr", err);
+        status =
+            murk_table_read_column(csv, "phase_per_sr", COLUMNS, &value, err);
     }
     /* Build the table, which normalises the values. */
     if (!status) {

@@ -127,6 +127,7 @@ typedef enum edit { LOSE, DOUBLE, SWAP, CUT, JOIN, EDITS } edit;
 static bool edit_word(char *out, const char *text, const char *from,
                       const char *blanks, size_t which, edit how)
 {
+    /* Find the word and the next one. */
     const char *at = from + strspn(from, blanks);
     for (size_t i = 0; i < which && *at; ++i) {
         at += strcspn(at, blanks);
@@ -233,13 +234,13 @@ static void test_changed_bytes(uint64_t files)
                 word[3] % 8
                     ? bytes[murk_random_below(word[1], sizeof bytes - 1)]
                     : (char)word[1];
-            const uint32_t way = word[2] % 4;
-            const size_t gone = way == 3 ? word[2] / 4 % 30 : 1;
-            if (way == 1) { /* insert */
+            const uint32_t kind = word[2] % 4;
+            const size_t gone = kind == 3 ? word[2] / 4 % 30 : 1;
+            if (kind == 1) { /* insert */
                 memmove(text + at + 1, text + at, size - at);
                 ++size;
             }
-            if (way < 2 || at + gone >= size) {
+            if (kind < 2 || at + gone >= size) {
                 text[at] = by;
             } else {
                 memmove(text + at, text + at + gone, size - at - gone);
@@ -281,6 +282,7 @@ static void test_too_large(void)
     static const char *const counts[] = {"100000 100000 1 1 0 0 0 1 1 1\n",
                                          "1000 900 1 1 0 0 0 1 1 1\n"};
     const size_t size = MURK_LUMINAIRE_BYTES_MAX;
+    /* Read each file. */
     const double start_s = murk_clock_s();
     char *text = malloc(size + 1);
     CHECK(text != NULL);

@@ -222,6 +222,7 @@ static void check_threads(const char *lamp)
     murk_stage *stage = stage_of(lamp, 2);
     uint64_t *sums[3] = {NULL};
     size_t words = 0;
+    /* Trace with each number of threads, then compare. */
     for (int i = 0; i < 3 && stage; ++i) {
         murk_traced *traced = NULL;
         murk_error err = {0};

@@ -68,6 +68,7 @@ static murk_vec3 direction_of(const murk_source *l, double gamma, double c)
 static void moments_of(const murk_intensity *t, double mean[3],
                        double square[3])
 {
+    /* Sum over the sphere. */
     enum { STEPS = 400 };
     double all = 0;
     for (int k = 0; k < 3; ++k) {
@@ -178,6 +179,7 @@ static void test_point_by_point(void)
     murk_sources *lights = made(&light);
     const murk_source *l = murk_sources_get(lights, 0);
     const double per_lm = 50 / murk_intensity_lumens(table);
+    /* Directions between those of the table. */
     for (double g = 5; g < 180; g += 25) {
         for (double c = 10; c < 360; c += 50) {
             const double rad = MURK_PI / 180, d = 0.5 + g / 50;
@@ -214,6 +216,7 @@ static void test_what_is_drawn_is_seen(void)
         light.edge1 = murk_vec(is_disc ? 0 : 1, 0, 0);
         light.edge2 = murk_vec(0, is_disc ? 0 : 2, 0);
         murk_sources *lights = made(&light);
+        /* Places below and above the luminaire. */
         int seen = 0;
         for (uint64_t i = 0; i < 400; ++i) {
             const murk_random4 r = murk_random(3, MURK_TEST, i, 0, 0);
