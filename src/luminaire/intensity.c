@@ -42,11 +42,12 @@
 struct murk_intensity {
     murk_goniometer type;
     size_t rows, columns;
-    double *theta, *phi; /* [rows], [columns] radians, rising */
-    double *candela;     /* [rows * columns] */
-    double *up_to;       /* [rows * columns] integral of a row over phi from the
-                          * first column [cd rad]; the last is that of the row */
-    double *end; /* [rows] integral from the first row [lm]; end[0] is 0 */
+    double *row_deg, *column_deg; /* [rows], [columns] angles of the file */
+    double *theta, *phi;          /* [rows], [columns] radians, rising */
+    double *candela;              /* [rows * columns] */
+    double *up_to; /* [rows * columns] integral of a row over phi from the
+                    * first column [cd rad]; the last is that of the row */
+    double *end;   /* [rows] integral from the first row [lm]; end[0] is 0 */
     double max;
     murk_vec3 pole, zero, right; /* theta = 0; phi = 0 and 90 degrees at the
                                   * equator */
@@ -95,15 +96,18 @@ static double phi_of(murk_goniometer type, double vertical_deg,
 /* Copies angles and values; for type B rows are horizontal angles. */
 static void fill(murk_intensity *t, const murk_intensity_grid *grid)
 {
+    /* Angles, then values. */
     const bool by_h = grid->type == MURK_GONIOMETER_B;
     for (size_t r = 0; r < t->rows; ++r) {
         const double deg =
             by_h ? grid->horizontal_deg[r] : grid->vertical_deg[r];
+        t->row_deg[r] = deg;
         t->theta[r] = theta_of(grid->type, deg, deg);
     }
     for (size_t c = 0; c < t->columns; ++c) {
         const double deg =
             by_h ? grid->vertical_deg[c] : grid->horizontal_deg[c];
+        t->column_deg[c] = deg;
         t->phi[c] = phi_of(grid->type, deg, deg);
     }
     for (size_t r = 0; r < t->rows; ++r) {
@@ -170,6 +174,8 @@ murk_status murk_intensity_create(murk_intensity **out,
         t->type = grid->type;
         t->rows = rows;
         t->columns = columns;
+        t->row_deg = calloc(rows, sizeof *t->row_deg);
+        t->column_deg = calloc(columns, sizeof *t->column_deg);
         t->theta = calloc(rows, sizeof *t->theta);
         t->phi = calloc(columns, sizeof *t->phi);
         t->candela = calloc(rows * columns, sizeof *t->candela);
@@ -177,7 +183,8 @@ murk_status murk_intensity_create(murk_intensity **out,
         t->end = calloc(rows, sizeof *t->end);
         atomic_init(&t->further_owners, 0);
     }
-    if (!t || !t->theta || !t->phi || !t->candela || !t->up_to || !t->end) {
+    if (!t || !t->row_deg || !t->column_deg || !t->theta || !t->phi ||
+        !t->candela || !t->up_to || !t->end) {
         murk_intensity_destroy(t);
         return murk_no_memory(err, where, "for a table of %zu intensities",
                               rows * columns);
@@ -210,6 +217,8 @@ murk_intensity *murk_intensity_share(const murk_intensity *table)
 void murk_intensity_destroy(murk_intensity *table)
 {
     if (table && atomic_fetch_sub(&table->further_owners, 1) == 0) {
+        free(table->row_deg);
+        free(table->column_deg);
         free(table->theta);
         free(table->phi);
         free(table->candela);
@@ -282,7 +291,8 @@ static double candela_at(const murk_intensity *t, double theta, double phi)
     /* Type C: the azimuth is periodic. */
     if (t->type == MURK_GONIOMETER_C) {
         const double beyond = phi - t->phi[0];
-        phi -= beyond < 0 || beyond > TURN ? TURN * floor(beyond / TURN) : 0;
+        const double turn = t->phi[t->columns - 1] - t->phi[0];
+        phi -= beyond < 0 || beyond > turn ? TURN * floor(beyond / TURN) : 0;
     }
     if (!to_edge(t->phi, t->columns, &phi)) {
         return 0;
@@ -294,6 +304,16 @@ static double candela_at(const murk_intensity *t, double theta, double phi)
     const double *cd = t->candela + r * t->columns + c;
     return mix(mix(cd[0], cd[1], q), mix(cd[t->columns], cd[t->columns + 1], q),
                s);
+}
+
+murk_intensity_angles murk_intensity_angles_of(const murk_intensity *table)
+{
+    const bool by_h = table->type == MURK_GONIOMETER_B;
+    return (murk_intensity_angles){
+        .verticals = by_h ? table->columns : table->rows,
+        .horizontals = by_h ? table->rows : table->columns,
+        .vertical_deg = by_h ? table->column_deg : table->row_deg,
+        .horizontal_deg = by_h ? table->row_deg : table->column_deg};
 }
 
 double murk_intensity_at_angles(const murk_intensity *table,

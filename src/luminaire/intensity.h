@@ -72,6 +72,14 @@ bool murk_intensity_points_to_zero(const murk_intensity *table);
 
 double murk_intensity_max_candela(const murk_intensity *table);
 
+/* The angles of the table, symmetries unfolded: of type C all planes of one
+ * full turn. The arrays belong to the table. */
+typedef struct murk_intensity_angles {
+    size_t verticals, horizontals;
+    const double *vertical_deg, *horizontal_deg;
+} murk_intensity_angles;
+murk_intensity_angles murk_intensity_angles_of(const murk_intensity *table);
+
 /* The intensity [cd] in angles of the table [degrees]: exactly the value of the
  * file at tabulated angles. For type C any horizontal angle is accepted. */
 double murk_intensity_at_angles(const murk_intensity *table,

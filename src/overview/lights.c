@@ -201,6 +201,30 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
     murk_json_numbers(object, "transmittance", taken.transmittance.band, bands);
 }
 
+/* Adds the table of intensities as murk uses it: symmetries unfolded, with all
+ * factors of the file; a list of values by vertical angle for each horizontal
+ * angle. */
+static void add_intensities(cJSON *item, const murk_intensity *table)
+{
+    const murk_intensity_angles angles = murk_intensity_angles_of(table);
+    const int n = (int)angles.verticals;
+    cJSON *object = cJSON_AddObjectToObject(item, "intensities");
+    murk_json_numbers(object, "vertical_deg", angles.vertical_deg, n);
+    murk_json_numbers(object, "horizontal_deg", angles.horizontal_deg,
+                      (int)angles.horizontals);
+    cJSON *planes = cJSON_AddArrayToObject(object, "candela");
+    for (size_t h = 0; h < angles.horizontals; ++h) {
+        cJSON *plane = cJSON_CreateArray();
+        for (int v = 0; v < n; ++v) {
+            cJSON_AddItemToArray(
+                plane,
+                cJSON_CreateNumber(murk_intensity_at_angles(
+                    table, angles.vertical_deg[v], angles.horizontal_deg[h])));
+        }
+        cJSON_AddItemToArray(planes, plane);
+    }
+}
+
 static void add_luminaire(cJSON *item, const murk_scene_light *l, size_t number,
                           size_t lamps)
 {
@@ -232,6 +256,7 @@ static void add_luminaire(cJSON *item, const murk_scene_light *l, size_t number,
     cJSON_AddStringToObject(item, "luminous_area", shapes[lamp->aperture]);
     murk_json_number(item, "along_c0_m", lamp->along_c0_m);
     murk_json_number(item, "along_c90_m", lamp->along_c90_m);
+    add_intensities(item, lamp->intensity);
 }
 
 /* Adds "luminaires", one item for each item of the scene file; nothing if there

@@ -141,6 +141,14 @@ static void test_symmetries_of_lm_63(void)
                  known[i].planes);
         murk_luminaire *lamp = good(ies(HEAD, numbers, table));
         CHECK(lamp && lamp->symmetry == known[i].symmetry);
+        /* The unfolded planes are one full turn. */
+        if (lamp) {
+            const murk_intensity_angles a =
+                murk_intensity_angles_of(lamp->intensity);
+            CHECK(a.verticals == 2 && a.vertical_deg[1] == 90);
+            CHECK(a.horizontal_deg[a.horizontals - 1] ==
+                  a.horizontal_deg[0] + 360);
+        }
         for (int k = 0; lamp && k < 8; ++k) {
             CHECK_NEAR(at(lamp, 90, known[i].c[k]), known[i].want[k], 1e-12);
             CHECK_NEAR(at(lamp, 0, known[i].c[k]), 7, 1e-12);
