@@ -111,10 +111,55 @@ void murk_ahead_end(murk_ahead *a, bool is_done)
 
 void murk_ahead_release(murk_ahead *a)
 {
-    for (size_t i = 1; i < a->n; ++i) {
-        murk_traced_destroy(a->traced[i]);
+    for (size_t i = 0; i < a->n; ++i) {
+        murk_traced_destroy(i > 0 ? a->traced[i] : NULL);
+        free(a->pose[i]);
     }
     *a = (murk_ahead){0};
+}
+
+/* ---- candidates ---- */
+
+/* The pose of a fixed sensor at the time of a stage, by its number;
+ * MURK_POSE_OF_NONE: it has failed, or left the domain. */
+static murk_pose fixed_pose(const murk_stage *stage, size_t number)
+{
+    const murk_scene_sensors *sensors = &stage->scene->sensors;
+    for (size_t i = 0; i < sensors->n_fixed; ++i) {
+        const murk_scene_fixed_sensor *fixed = &sensors->fixed[i];
+        if (fixed->number == number &&
+            murk_box_contains(&stage->world.domain.box, fixed->position)) {
+            return (murk_pose){.type = (uint32_t)fixed->type,
+                               .position = fixed->position,
+                               .heading_rad = fixed->heading_rad,
+                               .tilt_rad = fixed->tilt_rad};
+        }
+    }
+    return (murk_pose){.type = MURK_POSE_OF_NONE};
+}
+
+/* Finds the candidates as they are at a step: those of the plan, but for fixed
+ * sensors that have moved or failed by then. Planned sensors have no number
+ * before the plan is chosen, so it is not known which would fail or drift. */
+static murk_status find_poses(murk_ahead *a, size_t i, const murk_poses *poses,
+                              murk_error *err)
+{
+    const murk_scene_sensors *own = &a->stage[0]->scene->sensors;
+    a->poses[i] = *poses;
+    if (i == 0 || poses->fixed == 0) {
+        return MURK_OK;
+    }
+    a->pose[i] = malloc(poses->count * sizeof *a->pose[i]);
+    if (!a->pose[i]) {
+        return murk_no_memory(err, "", "for the candidates of a step ahead");
+    }
+    memcpy(a->pose[i], poses->pose, poses->count * sizeof *a->pose[i]);
+    for (size_t k = 0; k < poses->fixed; ++k) {
+        a->pose[i][poses->fixed_number[k]] =
+            fixed_pose(a->stage[i], own->fixed[k].number);
+    }
+    a->poses[i].pose = a->pose[i];
+    return MURK_OK;
 }
 
 /* ---- the choice ---- */
@@ -129,6 +174,7 @@ bool murk_ahead_earlier(murk_earlier_plan *out, const murk_ahead *a,
     /* The same step, or else the last one. */
     const size_t k = a->same[step] < before->n ? a->same[step] : before->n - 1;
     *out = *plan;
+    out->poses = &before->poses[k];
     out->stage = before->stage[k];
     out->traced = before->traced[k];
     out->first = before->first[k];
@@ -146,6 +192,7 @@ typedef struct several {
     murk_sight *sight[MURK_SCENE_CONDITIONS_MAX];
     murk_earlier_rows rows[MURK_SCENE_CONDITIONS_MAX];
     const murk_known_rows *known[MURK_SCENE_CONDITIONS_MAX];
+    const murk_pose *pose[MURK_SCENE_CONDITIONS_MAX];
     murk_scenarios *scenarios;
     murk_row_counts *tested; /* [n][poses] sightlines of each row; NULL: the
                               * matrix does not stay */
@@ -156,16 +203,21 @@ typedef struct several {
 static murk_status make_sights(several *l, murk_sight *sight, unsigned threads,
                                murk_error *err)
 {
-    const murk_ahead *a = l->plan->ahead;
+    murk_ahead *a = l->plan->ahead;
     murk_status status = MURK_OK;
     for (size_t i = 0; i < a->n && !status; ++i) {
         murk_earlier_plan earlier;
+        status = find_poses(a, i, l->plan->poses, err);
+        if (status) {
+            return status;
+        }
         if (i > 0 && murk_stage_has_nothing_to_see(a->stage[i])) {
             continue;
         }
         /* The sight. */
         const size_t k = l->n;
         l->step[k] = i;
+        l->pose[k] = a->poses[i].pose;
         l->sight[k] = sight;
         status = i == 0 ? MURK_OK
                         : murk_plan_sight(&l->sight[k], a->stage[i],
@@ -176,7 +228,7 @@ static murk_status make_sights(several *l, murk_sight *sight, unsigned threads,
             const bool has_rows =
                 murk_ahead_earlier(&earlier, a, i, l->plan->earlier);
             status = murk_earlier_rows_create(
-                &l->rows[k], has_rows ? &earlier : NULL, l->plan->poses,
+                &l->rows[k], has_rows ? &earlier : NULL, &a->poses[i],
                 a->stage[i], l->sight[k], murk_plan_sight_again, err);
             l->known[k] = l->rows[k].known.get ? &l->rows[k].known : NULL;
         }
@@ -265,10 +317,12 @@ murk_status murk_ahead_choose(murk_plan_result *plan, murk_sight *sight,
                         ? murk_plan_note_sightlines(l->n * plan->poses->count)
                         : NULL;
         const murk_scenarios_rows rows = {
-            l->known, l->tested,
-            murk_plan_memory_taken(
+            .known = l->known,
+            .tested = l->tested,
+            .pose = l->pose,
+            .memory_taken = murk_plan_memory_taken(
                 plan->earlier ? *plan->earlier->matrix : NULL, memory),
-            plan->keeps_matrix};
+            .has_columns = plan->keeps_matrix};
         status =
             murk_scenarios_create_from(&l->scenarios, scene, l->sight, share,
                                        l->n, plan->poses, &rows, err);

@@ -19,6 +19,11 @@ typedef struct murk_ahead {
      * matrix does not have the step */
     size_t first[MURK_SCENE_CONDITIONS_MAX];
     size_t block[MURK_SCENE_CONDITIONS_MAX]; /* [n] number of the step there */
+    /* [n] the candidates of the plan as they are at each step
+     * (murk_ahead_choose()); pose[i] is the array of step i, NULL: that of the
+     * plan. */
+    murk_poses poses[MURK_SCENE_CONDITIONS_MAX];
+    murk_pose *pose[MURK_SCENE_CONDITIONS_MAX];
     /* What the plan before leaves; NULL: there is none. */
     struct murk_ahead *before;
     /* [n] the step of `before` whose light and rows the step has; before->n:
@@ -43,7 +48,7 @@ murk_status murk_ahead_trace(murk_ahead *ahead, bool notes_paths,
  * ahead->before. */
 void murk_ahead_end(murk_ahead *ahead, bool is_done);
 
-/* Destroys the light of the later steps. */
+/* Destroys the light of the later steps, and the poses. */
 void murk_ahead_release(murk_ahead *ahead);
 
 /* What the plan before leaves for the rows of a step. `plan` has the candidates
@@ -52,8 +57,10 @@ bool murk_ahead_earlier(murk_earlier_plan *out, const murk_ahead *ahead,
                         size_t step, const murk_earlier_plan *plan);
 
 /* murk_plan_choose() for the mean of all steps of plan->ahead at which there is
- * something to see; `sight` is that of the plan's own time. Value, bound and
- * curve of plan->place are of the mean; plan->free is of the own time alone. */
+ * something to see; `sight` is that of the plan's own time. Fixed sensors are
+ * at each step where they are then, and are absent once they have failed.
+ * Value, bound and curve of plan->place are of the mean; plan->free is of the
+ * own time alone. */
 murk_status murk_ahead_choose(murk_plan_result *plan, murk_sight *sight,
                               murk_error *err);
 

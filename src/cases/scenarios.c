@@ -175,7 +175,8 @@ murk_scenarios_create_from(murk_scenarios **out, const murk_scene_desc *scene,
     /* The blocks lie behind one another. */
     j->blocks.n = n;
     for (size_t c = 0; c < n; ++c) {
-        murk_sight_problem_init(&j->part[c], sight[c], poses->pose,
+        murk_sight_problem_init(&j->part[c], sight[c],
+                                rows->pose ? rows->pose[c] : poses->pose,
                                 poses->count);
         murk_sight_problem_know(&j->part[c],
                                 rows->known ? rows->known[c] : NULL);

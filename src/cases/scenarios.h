@@ -52,8 +52,10 @@ typedef struct murk_scenarios_rows {
                                           * NULL: none */
     murk_row_counts *tested; /* [n][candidates] gets the sightlines of each row;
                               * NULL: nobody asks */
-    uint64_t memory_taken;   /* of the memory for rows, in bytes */
-    bool has_columns;        /* as in murk_problem */
+    const murk_pose *const *pose; /* [n][candidates] the candidates as they are
+                                   * in each scenario; NULL: as in `poses` */
+    uint64_t memory_taken;        /* of the memory for rows, in bytes */
+    bool has_columns;             /* as in murk_problem */
 } murk_scenarios_rows;
 murk_status
 murk_scenarios_create_from(murk_scenarios **out, const murk_scene_desc *scene,

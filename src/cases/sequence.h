@@ -76,7 +76,8 @@ typedef struct murk_sequence_hindsight {
     size_t steps;
     double value, held_out; /* coverage less the cost of moves, in sample and on
                              * the second maps, if there are any */
-    double upper; /* no sequence of plans has a larger value in sample */
+    double upper; /* no sequence of plans of as many sensors has a larger value
+                   * in sample, even if all may move at each step at no cost */
     double gap;   /* upper - value */
 } murk_sequence_hindsight;
 

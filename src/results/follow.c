@@ -176,8 +176,9 @@ static void list_hindsight(murk_results_fields *f, const void *of)
                 "the same of the coverage on the second maps",
                 h.held_out / (double)h.steps);
     MURK_NUMBER(f, "upper", "1",
-                "no plans that know all steps have a larger value: sum of "
-                "upper_free",
+                "no plans have a larger value, whatever they know and move: "
+                "sum of upper_free, bounds of each step alone without a rule "
+                "on moves",
                 h.upper);
     MURK_NUMBER(f, "gap", "1", "upper - value", h.gap);
 }

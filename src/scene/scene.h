@@ -396,6 +396,7 @@ typedef struct murk_scene_fixed_sensor {
     murk_vec3 position;
     double heading_rad, tilt_rad;
     bool is_failed; /* of a timeline, by the time of the scene */
+    size_t number;  /* in the list of the scene file, from 0 */
 } murk_scene_fixed_sensor;
 
 typedef struct murk_scene_sensors {

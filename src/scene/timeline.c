@@ -795,6 +795,7 @@ static void put_failed_last(murk_scene_sensors *sensors)
 {
     size_t n = 0;
     for (size_t i = 0; i < sensors->n_fixed; ++i) {
+        sensors->fixed[i].number = i;
         const murk_scene_fixed_sensor fixed = sensors->fixed[i];
         if (!fixed.is_failed) {
             memmove(&sensors->fixed[n + 1], &sensors->fixed[n],

@@ -228,7 +228,11 @@ typedef struct murk_known_rows {
                             murk_sparse_row *gone, murk_sparse_row *come);
 } murk_known_rows;
 
-/* The placement problem of the candidates pose[n]. Borrows poses and sight.
+/* In place of the type of a pose: there is no sensor, and its row is empty. */
+#define MURK_POSE_OF_NONE UINT32_MAX
+
+/* The placement problem of the candidates pose[n], of which some may be of
+ * MURK_POSE_OF_NONE. Borrows poses and sight.
  * problem.context points to *out, so *out must not move. */
 typedef struct murk_sight_problem {
     murk_problem problem;

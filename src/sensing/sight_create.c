@@ -295,6 +295,10 @@ static void get_row(void *context, unsigned worker, size_t candidate,
 {
     const murk_sight_problem *p = context;
     const murk_pose *pose = &p->pose[candidate];
+    if (pose->type == MURK_POSE_OF_NONE) {
+        *out = (murk_sparse_row){0};
+        return;
+    }
     if (!p->known ||
         !p->known->get(p->known->context, worker, candidate, out)) {
         murk_sight_row(p->sight, worker, pose, out);
@@ -316,7 +320,12 @@ static bool get_part(void *context, unsigned worker, size_t candidate,
                      const murk_row_need *need, murk_sparse_row *out)
 {
     const murk_sight_problem *p = context;
-    return murk_sight_part(p->sight, worker, &p->pose[candidate], need, out);
+    const murk_pose *pose = &p->pose[candidate];
+    if (pose->type == MURK_POSE_OF_NONE) {
+        *out = (murk_sparse_row){0};
+        return need->gain_min == 0;
+    }
+    return murk_sight_part(p->sight, worker, pose, need, out);
 }
 
 static void rest(void *context)

@@ -184,6 +184,32 @@ def plans_look_ahead(folder, scene):
     goes_on(scene, out, words)
 
 
+def fixed_sensors_ahead(folder):
+    """At each step ahead a fixed sensor is where it is then, and is absent once it has failed."""
+    scene, out, poses = (os.path.join(folder, name) for name in ("fixed.yaml", "fixed", "fixed.csv"))
+    with open(scene, "w") as file:
+        file.write(SCENE.replace("{sensor: 1, fails_at_s: 4}", "{sensor: 0, fails_at_s: 3}\n    - {sensor: 1, keyframes: "
+                                 "[{t_s: 0, position_m: [3, 6, 2]}, {t_s: 5, position_m: [13, 6.5, 2]}]}")
+                   .replace("  count: 3", "  fixed: [{type: node, position_m: [8, 4, 1]}, {type: node, position_m: [3, 6, 2]}]"
+                            "\n  count: 5"))
+    words = ["--set", "placement.moves_at_most=1", "--set", "placement.look_ahead=3"]
+    rows = follow(scene, out, *words)
+    for k in range(5):
+        plan = plan_of(os.path.join(out, f"steps/{k:04}"))
+        planned = [sensor["position_m"] for sensor in plan["sensors"][:-1 if k >= 3 else -2]]
+        seen = []
+        for step in range(k, k + plan["look_ahead"]["steps"]):
+            at = planned + ([[8, 4, 1]] if step < 3 else []) + [[3 + 2 * step, 6 + 0.1 * step, 2]]
+            with open(poses, "w") as file:
+                file.write("type,x_m,y_m,z_m\n" + "".join("node,{},{},{}\n".format(*x) for x in at))
+            done = run("sense", scene, "--at", rows[step]["t_s"], "--sensors", poses, "--format", "json")
+            seen.append(json.loads(done.stdout)["coverage"]["in_sample"])
+        check(abs(sum(seen) / len(seen) - plan["look_ahead"]["value"]) < 1e-6, "mean of", k, seen, plan["look_ahead"])
+        check(plan["look_ahead"]["value"] <= plan["bound"]["upper"] + 1e-12, "bound of", k, plan["bound"])
+    goes_on(scene, out, words)
+    steps_keep_the_rule(scene, out, words, 1, 0)
+
+
 def refusals(scene):
     for words, text in (
             (["placement.method=greedy"], "moves_at_most is given, which needs method: best, spoq or exact"),
@@ -214,6 +240,7 @@ with tempfile.TemporaryDirectory() as folder:
         file.write(SCENE)
     moves_are_few(folder, scene)
     plans_look_ahead(folder, scene)
+    fixed_sensors_ahead(folder)
     refusals(scene)
     says_early(folder, scene)
 sys.exit(failures > 0)
