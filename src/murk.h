@@ -1202,7 +1202,8 @@ typedef struct murk_fit_options {
                           * there; NULL: no such fit */
 } murk_fit_options;
 
-/* Reads the readings of the CSV file `data`, and prepares to fit keys[n] of a
+/* Reads the readings of the CSV file `data`, or of the file that the mapping
+ * file `data` (.yaml) names, and prepares to fit keys[n] of a
  * scene to these readings: keys such as "media.fog.visibility_m",
  * "media.fog.albedo@each" (a value for each condition) or "gain.NAME" (a factor
  * of readings). With n = 0 (keys may be NULL) nothing is fitted, and

@@ -323,9 +323,10 @@ class Scene:
             predict: Path | None = None, parts: Sequence[Path] | None = None) -> Fit:
         """Calibrates keys to the readings of a CSV file: Fit.
 
-        data: columns of murk-data(5). free: paths of keys; "KEY@each" is one value a condition, "gain.NAME" a factor
-        of readings. bounds: the least and the largest value of a key, None for none. loss: "none", "huber" or "cauchy",
-        the last two also with a width in standard errors, "huber:1.345". starts, traces: of the search; 0: 4 and 12.
+        data: CSV with the columns of murk-data(5), or a mapping of another file (.yaml). free: paths of keys; "KEY@each"
+        is one value a condition, "gain.NAME" a factor of readings. bounds: the least and the largest value of a key,
+        None for none. loss: "none", "huber" or "cauchy", the last two also with a width in standard errors,
+        "huber:1.345". starts, traces: of the search; 0: 4 and 12.
         next: proposes so many places for further readings. Without `free` nothing is fitted, and the readings are
         predicted at the values of the scene, or of `predict`, the fit.json of a finished fit. parts: files of
         `fit_part()` with searches of this fit, in any order; those of missing parts are run, with a warning. Raises

@@ -111,7 +111,8 @@ const murk_option murk_option_table[] = {
      .part = MURK_OPTION_AS_TEXT},
     {"--data", NULL, "FILE", "fit",
      "what was measured: CSV with kind, place, value and standard_error of "
-     "each reading",
+     "each reading; or MAP.yaml, which names columns of another file (CSV, "
+     "AERONET, SeaBASS)",
      .kind = MURK_OPTION_TEXT, MEMBER(fit.data), .part = MURK_OPTION_AS_FILE},
     {"--free", NULL, "KEY[,KEY...]", "fit",
      "the scene's keys to be found, by their paths; KEY@each: one value for "

@@ -21,42 +21,52 @@
 static const struct {
     const char *name;
     unsigned needed, allowed;
+    bool is_text;
 } COLUMNS[MURK_READING_COLUMNS] = {
-    {"kind", ALL, ALL},
-    {"condition", 0, ALL},
-    {"x_m", ALL, ALL},
-    {"y_m", ALL, ALL},
-    {"z_m", ALL, ALL},
-    {"x2_m", BEAM, BEAM},
-    {"y2_m", BEAM, BEAM},
-    {"z2_m", BEAM, BEAM},
-    {"direction_x", IRRADIANCE, IRRADIANCE},
-    {"direction_y", IRRADIANCE, IRRADIANCE},
-    {"direction_z", IRRADIANCE, IRRADIANCE},
-    {"radius_m", LIGHT, LIGHT},
-    {"acceptance_deg", 0, IRRADIANCE | BEAM | POINT},
-    {"band_nm", 0, LIGHT | BEAM | POINT},
-    {"sensor", 0, COVERAGE},
-    {"heading_deg", 0, COVERAGE},
-    {"tilt_deg", 0, COVERAGE},
-    {"group", 0, ALL},
-    {"gain", 0, ALL},
-    {"unit", LIGHT, ALL},
-    {"value", ALL, ALL},
-    {"standard_error", ALL, ALL},
-    {"use", 0, ALL},
+    {"kind", ALL, ALL, true},
+    {"condition", 0, ALL, true},
+    {"x_m", ALL, ALL, false},
+    {"y_m", ALL, ALL, false},
+    {"z_m", ALL, ALL, false},
+    {"x2_m", BEAM, BEAM, false},
+    {"y2_m", BEAM, BEAM, false},
+    {"z2_m", BEAM, BEAM, false},
+    {"direction_x", IRRADIANCE, IRRADIANCE, false},
+    {"direction_y", IRRADIANCE, IRRADIANCE, false},
+    {"direction_z", IRRADIANCE, IRRADIANCE, false},
+    {"radius_m", LIGHT, LIGHT, false},
+    {"acceptance_deg", 0, IRRADIANCE | BEAM | POINT, false},
+    {"band_nm", 0, LIGHT | BEAM | POINT, false},
+    {"sensor", 0, COVERAGE, true},
+    {"heading_deg", 0, COVERAGE, false},
+    {"tilt_deg", 0, COVERAGE, false},
+    {"group", 0, ALL, true},
+    {"gain", 0, ALL, true},
+    {"unit", LIGHT, ALL, true},
+    {"value", ALL, ALL, false},
+    {"standard_error", ALL, ALL, false},
+    {"use", 0, ALL, true},
 };
 
 /* ---- the header ---- */
 
-/* The column with this name; MURK_READING_COLUMNS: none. */
-static int find_column(const char *name)
+const char *murk_reading_column_name(murk_reading_column column)
+{
+    return COLUMNS[column].name;
+}
+
+murk_reading_column murk_reading_column_find(const char *name)
 {
     int i = 0;
     while (i < MURK_READING_COLUMNS && strcmp(name, COLUMNS[i].name) != 0) {
         ++i;
     }
-    return i;
+    return (murk_reading_column)i;
+}
+
+bool murk_reading_column_is_text(murk_reading_column column)
+{
+    return COLUMNS[column].is_text;
 }
 
 /* Fails because of an unknown column. known: number of known columns of the
@@ -94,10 +104,11 @@ murk_status murk_reading_columns(murk_reading_source *source, murk_error *err)
     /* Refuse unknown columns. */
     size_t known = 0;
     for (size_t i = 0; i < table->columns; ++i) {
-        known += find_column(table->name[i]) < MURK_READING_COLUMNS;
+        known +=
+            murk_reading_column_find(table->name[i]) < MURK_READING_COLUMNS;
     }
     for (size_t i = 0; i < table->columns; ++i) {
-        if (find_column(table->name[i]) == MURK_READING_COLUMNS) {
+        if (murk_reading_column_find(table->name[i]) == MURK_READING_COLUMNS) {
             return refuse_column(where, table->name[i], known, err);
         }
     }

@@ -29,6 +29,14 @@ typedef enum murk_reading_column {
     MURK_READING_COLUMNS
 } murk_reading_column;
 
+/* The name of a column, and the column of a name; MURK_READING_COLUMNS: none.
+ */
+const char *murk_reading_column_name(murk_reading_column column);
+murk_reading_column murk_reading_column_find(const char *name);
+
+/* True if cells of the column are words or names; else they are numbers. */
+bool murk_reading_column_is_text(murk_reading_column column);
+
 /* The file, and the scene that the readings belong to. */
 typedef struct murk_reading_source {
     const murk_table *table;

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/log.h"
+#include "readings/mapped.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -320,9 +321,10 @@ static murk_status from_table(murk_readings *m, const murk_table *table,
     return status;
 }
 
-murk_status murk_readings_read(murk_readings **out, const char *path,
-                               const murk_scene_desc *scene,
-                               const murk_domain *domain, murk_error *err)
+/* Reads a CSV file of readings. */
+static murk_status from_csv(murk_readings *m, const char *path,
+                            const murk_scene_desc *scene,
+                            const murk_domain *domain, murk_error *err)
 {
     char *text = NULL;
     size_t size = 0;
@@ -332,22 +334,53 @@ murk_status murk_readings_read(murk_readings **out, const char *path,
     if (status) {
         return status;
     }
-    murk_readings *m = calloc(1, sizeof *m);
-    if (!m || !(m->path = strdup(path))) {
+    if (!(m->path = strdup(path))) {
         free(text);
-        free(m);
         return no_memory(path, err);
     }
     /* The checksum identifies the data in results. */
     murk_sha256_hex(text, size, m->sha256);
     status = murk_table_parse(&table, path, text, size, err);
     status = status ? status : from_table(m, table, scene, domain, err);
+    murk_table_destroy(table);
+    return status;
+}
+
+/* Reads the file of measurements that a mapping names. */
+static murk_status from_mapping(murk_readings *m, const char *path,
+                                const murk_scene_desc *scene,
+                                const murk_domain *domain, murk_error *err)
+{
+    murk_mapped_file mapped;
+    murk_status status = murk_mapped_file_read(&mapped, path, FILE_BYTES_MAX,
+                                               MURK_READINGS_MAX, err);
+    if (!status && !(m->path = strdup(mapped.table.path))) {
+        status = no_memory(path, err);
+    }
+    if (!status) {
+        memcpy(m->sha256, mapped.sha256, sizeof m->sha256);
+        status = from_table(m, &mapped.table, scene, domain, err);
+    }
+    murk_mapped_file_release(&mapped);
+    return status;
+}
+
+murk_status murk_readings_read(murk_readings **out, const char *path,
+                               const murk_scene_desc *scene,
+                               const murk_domain *domain, murk_error *err)
+{
+    murk_readings *m = calloc(1, sizeof *m);
+    if (!m) {
+        return no_memory(path, err);
+    }
+    const murk_status status = murk_mapping_is(path)
+                                   ? from_mapping(m, path, scene, domain, err)
+                                   : from_csv(m, path, scene, domain, err);
     if (!status) {
         tell(m);
         *out = m;
         m = NULL;
     }
-    murk_table_destroy(table);
     murk_readings_destroy(m);
     return status;
 }

@@ -1,4 +1,4 @@
-/* The readings of a CSV file, and the rows of a fit that they form.
+/* The readings of a file, and the rows of a fit that they form.
  *
  * Columns and meanings: doc/reference/calibration.md. A row of a fit is one
  * reading, or all readings of coverage of one `group` in one condition
@@ -21,7 +21,7 @@ typedef struct murk_reading_row {
 } murk_reading_row;
 
 typedef struct murk_readings {
-    char *path;
+    char *path;            /* of the file whose lines the readings have */
     murk_reading *reading; /* [readings]; those of a row are adjacent */
     size_t readings;
     murk_reading_row *row; /* [rows]; in the order of their first lines */
@@ -32,7 +32,7 @@ typedef struct murk_readings {
                                           * other kinds the group is a label */
     char (*gain)[MURK_READING_NAME_SIZE]; /* [gains]; names of free factors */
     size_t gains;
-    char sha256[65];
+    char sha256[65];  /* of the file; with a mapping, of both files */
     murk_arena arena; /* of all arrays but the path */
 } murk_readings;
 
@@ -44,10 +44,12 @@ murk_reading_of_row(const murk_readings *readings, size_t row)
     return &readings->reading[readings->row[row].first];
 }
 
-/* Reads and checks a file against the scene (conditions, bands, sensor types)
- * and the domain; the message for an error in a line has the line number. If
- * readings are in a unit that is derived from a transmittance, a note with the
- * formula is logged. The caller owns *out (murk_readings_destroy()). */
+/* Reads a CSV file of readings, or the file of measurements that a mapping file
+ * names (readings/mapping.h), and checks it against the scene (conditions,
+ * bands, sensor types) and the domain; the message for an error in a line has
+ * the line number. If readings are in a unit that is derived from a
+ * transmittance, a note with the formula is logged. The caller owns *out
+ * (murk_readings_destroy()). */
 murk_status murk_readings_read(murk_readings **out, const char *path,
                                const murk_scene_desc *scene,
                                const murk_domain *domain, murk_error *err);

@@ -175,8 +175,9 @@ static void list_next(murk_results_fields *fields, const void *of)
 static void list_data(murk_results_fields *fields, const void *of)
 {
     const murk_fit_facts *f = of;
-    MURK_TEXT(fields, "file", "of --data", f->measured->path);
-    MURK_TEXT(fields, "sha256", "of the file", f->measured->sha256);
+    MURK_TEXT(fields, "file", "of the measurements", f->measured->path);
+    MURK_TEXT(fields, "sha256", "of the file; with a mapping, of both",
+              f->measured->sha256);
     MURK_COUNT(fields, "rows", "of the file", f->measured->rows);
     MURK_COUNT(fields, "photons", "of each light", f->found->photons);
 }

@@ -28,6 +28,7 @@
 typedef struct cursor {
     const char *path;
     murk_csv csv;
+    bool may_repeat; /* columns may have the same name */
     murk_error *err;
 } cursor;
 
@@ -78,7 +79,7 @@ static murk_status read_header(murk_table *table, cursor *at)
             return status;
         }
         char shown[48];
-        if (murk_table_column(table, cell) >= 0) {
+        if (!at->may_repeat && murk_table_column(table, cell) >= 0) {
             murk_words_show(shown, sizeof shown, cell);
             return fail_at(at, line, "column %s is there twice", shown);
         }
@@ -154,8 +155,10 @@ static murk_status find_nul(const cursor *at)
     return fail_at(at, line, "a NUL byte, must be text");
 }
 
-murk_status murk_table_parse(murk_table **out, const char *path, char *text,
-                             size_t size, murk_error *err)
+/* Parses text whose header is in line header_line; 0: in the first line that
+ * has cells. */
+static murk_status parse(murk_table **out, const char *path, char *text,
+                         size_t size, size_t header_line, murk_error *err)
 {
     size_t capacity = 0;
     murk_table *table = calloc(1, sizeof *table);
@@ -165,10 +168,16 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
         return no_memory(path, err);
     }
     table->text = text;
-    cursor at = {path, {table->text, table->text + size, 1, false}, err};
+    cursor at = {path,
+                 {table->text, table->text + size, 1, false},
+                 header_line > 0,
+                 err};
     murk_status status = find_nul(&at);
     if (size >= 3 && memcmp(at.csv.next, "\xEF\xBB\xBF", 3) == 0) {
         at.csv.next += 3; /* byte order mark */
+    }
+    while (!status && at.csv.line < header_line && at.csv.next < at.csv.end) {
+        at.csv.line += *at.csv.next++ == '\n';
     }
     if (!status && !murk_csv_find_line(&at.csv)) {
         status = murk_fail(err, MURK_BAD_FILE, path,
@@ -189,6 +198,19 @@ murk_status murk_table_parse(murk_table **out, const char *path, char *text,
     }
     murk_table_destroy(table);
     return status;
+}
+
+murk_status murk_table_parse(murk_table **out, const char *path, char *text,
+                             size_t size, murk_error *err)
+{
+    return parse(out, path, text, size, 0, err);
+}
+
+murk_status murk_table_parse_from(murk_table **out, const char *path,
+                                  char *text, size_t size, size_t header_line,
+                                  murk_error *err)
+{
+    return parse(out, path, text, size, header_line, err);
 }
 
 murk_status murk_table_read(murk_table **out, const char *path, murk_error *err)

@@ -30,6 +30,12 @@ murk_status murk_table_read(murk_table **out, const char *path,
  * messages. */
 murk_status murk_table_parse(murk_table **out, const char *path, char *text,
                              size_t size, murk_error *err);
+/* The same for text whose header is in line `header_line`, from 1: the lines
+ * before the header are passed over, and several columns may have the same
+ * name, of which murk_table_column() finds the first. */
+murk_status murk_table_parse_from(murk_table **out, const char *path,
+                                  char *text, size_t size, size_t header_line,
+                                  murk_error *err);
 void murk_table_destroy(murk_table *table); /* NULL is fine */
 
 /* Reads the numbers of a column into (*out)[rows], which the caller frees, also

@@ -171,10 +171,10 @@ static void pass_empty_lists(const given *g)
          "cannot read")
     CALL(fit, murk_fit_create,
          (&out, g->scene, "no-such-data.csv", none, 0, NULL, &error),
-         "none, must be the keys")
+         "cannot read")
     CALL(fit, murk_fit_create,
          (&out, g->scene, "no-such-data.csv", NULL, 0, NULL, &error),
-         "none, must be the keys")
+         "cannot read")
 }
 
 /* One call with a list: `part` of the message, or NULL if it is not refused. */
