@@ -25,6 +25,7 @@
 
 static_assert(MURK_LANE_COUNT % MURK_LANE_GROUP == 0, "whole groups");
 static_assert(MURK_LANE_COUNT <= MURK_SCORE_PATHS, "a list for each lane");
+static_assert(MURK_LANE_COUNT < 64, "a bit for each lane");
 
 typedef struct lane_batch {
     const murk_lane_steps *steps;
@@ -391,6 +392,24 @@ static void finish(lane_batch *b, size_t i)
     }
 }
 
+/* Treats what a step has left of all lanes. Most photons are scattered in a
+ * medium, and nothing is left but to count the collision. */
+static void finish_all(lane_batch *b, size_t n)
+{
+    const uint64_t unfinished =
+        b->is_heard ? UINT64_MAX
+                    : b->steps->unfinished(&b->lanes, b->segments.is_scored, n);
+    uint64_t left = unfinished & ((UINT64_C(1) << b->n) - 1);
+    b->sums->collisions += b->n - (size_t)__builtin_popcountll(left);
+    /* From the last lane to the first, because a gap is filled with the last
+     * lane. */
+    while (left != 0) {
+        const size_t i = 63 - (size_t)__builtin_clzll(left);
+        left ^= UINT64_C(1) << i;
+        finish(b, i);
+    }
+}
+
 /* The free flights, and what ends them. */
 static void fly(lane_batch *b, size_t n)
 {
@@ -451,11 +470,7 @@ static void step(lane_batch *b)
         reflect(b);
     }
     b->steps->turn(l, n);
-    /* From the last lane to the first, because a gap is filled with the last
-     * lane. */
-    for (size_t i = b->n; i-- > 0;) {
-        finish(b, i);
-    }
+    finish_all(b, n);
 }
 
 /* True if the free flights of all photons are loops over lanes. */
@@ -527,6 +542,8 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
     b.segments.from = &b.before;
     if (sums->scorer) {
         murk_lane_lists_create(&b.lists, sums->scorer);
+    } else {
+        memset(b.segments.is_scored, -1, sizeof b.segments.is_scored);
     }
     memset(&b.before, 0, sizeof b.before);
     /* Begin a photon in each lane. */

@@ -464,6 +464,19 @@ MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
     select_region(l, facts, n);
 }
 
+/* The azimuths of photons that roulette has decided on: what the roulette has
+ * left of its random number. Apart from the loop over all lanes, because the
+ * division is dear and packets that are split need none. A photon that roulette
+ * has absorbed gets an azimuth without use. */
+MURK_LANE_KERNEL draw_azimuth(murk_photon_lanes *restrict l, size_t n)
+{
+    MURK_FOR_LANES(n)
+    {
+        const double u = l->azimuth[i];
+        l->azimuth[i] = murk_choose(l->is_split[i] != 0, u, u / l->albedo[i]);
+    }
+}
+
 MURK_LANE_KERNEL collide(murk_photon_lanes *restrict l,
                          const murk_lane_facts *facts, size_t n)
 {
@@ -484,14 +497,14 @@ MURK_LANE_KERNEL collide(murk_photon_lanes *restrict l,
         const bool meets = (l->meets[i] != 0) & is_inside &
                            ((int64_t)l->number[i] <= events_max);
         l->meets[i] = murk_truth(meets);
-        ray->x[i] =
-            murk_choose(meets, murk_path_side_hold(x, sides.x), ray->x[i]);
-        ray->y[i] =
-            murk_choose(meets, murk_path_side_hold(y, sides.y), ray->y[i]);
-        ray->z[i] =
-            murk_choose(meets, murk_path_side_hold(z, sides.z), ray->z[i]);
+        /* The walker holds the position inside of the sides, which changes no
+         * position that lies there. */
+        ray->x[i] = murk_choose(meets, x, ray->x[i]);
+        ray->y[i] = murk_choose(meets, y, ray->y[i]);
+        ray->z[i] = murk_choose(meets, z, ray->z[i]);
     }
     /* Split the packet, or decide by roulette (walk.c, scatter()). */
+    uint64_t roulette = 0; /* not 0 if some lane has too few quanta to split */
     MURK_FOR_LANES(n)
     {
         const bool meets = l->meets[i] != 0;
@@ -507,9 +520,14 @@ MURK_LANE_KERNEL collide(murk_photon_lanes *restrict l,
         ray->quanta[i] = after;
         l->absorbed[i] += before - after;
         l->scatters[i] = murk_truth(meets & survives);
-        l->azimuth[i] = murk_choose(is_split, u, u / albedo);
+        l->is_split[i] = murk_truth(is_split);
+        l->azimuth[i] = u;
         l->is_new[i] = murk_choose(meets, 0, l->is_new[i]);
         l->cosine[i] = murk_hg_sample(l->g[i], uniform_of(l->word_cosine[i]));
+        roulette |= is_split ? 0 : UINT64_MAX;
+    }
+    if (roulette != 0) {
+        draw_azimuth(l, n);
     }
 }
 
@@ -526,6 +544,21 @@ MURK_LANE_KERNEL turn(murk_photon_lanes *restrict l, size_t n)
         ray->dy[i] = murk_choose(scatters, turned.y, d.y);
         ray->dz[i] = murk_choose(scatters, turned.z, d.z);
     }
+}
+
+/* A bit for each lane that is not scattered in a medium, or not scored. */
+static inline __attribute__((always_inline)) uint64_t
+unfinished(const murk_photon_lanes *restrict l,
+           const int64_t *restrict is_scored, size_t n)
+{
+    uint64_t bits = 0;
+    MURK_FOR_LANES(n)
+    {
+        const bool is_finished =
+            (l->meets[i] != 0) & (l->scatters[i] != 0) & (is_scored[i] != 0);
+        bits |= (is_finished ? UINT64_C(0) : UINT64_C(1)) << i;
+    }
+    return bits;
 }
 
 /* One function of each kernel for an instruction set. */
@@ -563,6 +596,11 @@ MURK_LANE_KERNEL turn(murk_photon_lanes *restrict l, size_t n)
     target static void turn_##set(murk_photon_lanes *l, size_t n)             \
     {                                                                         \
         turn(l, n);                                                           \
+    }                                                                         \
+    target static uint64_t unfinished_##set(                                  \
+        const murk_photon_lanes *l, const int64_t *is_scored, size_t n)       \
+    {                                                                         \
+        return unfinished(l, is_scored, n);                                   \
     }
 
 MURK_COMPILED_FOR(baseline, MURK_TARGET_BASELINE, words_2, PRODUCT_2)
@@ -571,9 +609,9 @@ MURK_COMPILED_FOR(avx2, MURK_TARGET_AVX2, words_4, PRODUCT_4)
 MURK_COMPILED_FOR(avx512, MURK_TARGET_AVX512, words_8, PRODUCT_8)
 #endif
 
-#define STEPS(number, set)                                               \
-    [number] = {number,        draw_##set, fly_##set, fly_regions_##set, \
-                collide_##set, turn_##set}
+#define STEPS(number, set)                                                     \
+    [number] = {number,        draw_##set, fly_##set,       fly_regions_##set, \
+                collide_##set, turn_##set, unfinished_##set}
 
 const murk_lane_steps *murk_lane_steps_chosen(void)
 {

@@ -58,6 +58,7 @@ typedef struct murk_photon_lanes {
 
     /* The outcome of a collision. */
     murk_lane_number scatters, cosine, azimuth;
+    murk_lane_number is_split; /* else roulette has decided */
 } murk_photon_lanes;
 
 /* The facts that all lanes share. */
@@ -93,6 +94,10 @@ typedef struct murk_lane_steps {
                     size_t n);
     /* Turns the direction of each lane that scatters. */
     void (*turn)(murk_photon_lanes *lanes, size_t n);
+    /* A bit for each lane that is not scattered in a medium, or whose
+     * is_scored is 0. */
+    uint64_t (*unfinished)(const murk_photon_lanes *lanes,
+                           const int64_t *is_scored, size_t n);
 } murk_lane_steps;
 
 /* The steps for the set of vector instructions that murk_lane_set_chosen()

@@ -13,7 +13,8 @@ typedef struct murk_lane_segments {
     const murk_lane_rays *from; /* starts, directions and quanta */
     murk_lane_number length_m;  /* 0 in lanes without a segment, also in those
                                  * that fill the last register */
-    int64_t is_scored[MURK_LANE_COUNT]; /* -1 in lanes with a segment, else 0 */
+    int64_t is_scored[MURK_LANE_COUNT]; /* -1 in lanes with a segment, else 0;
+                                         * -1 if there are no tallies */
 } murk_lane_segments;
 
 /* The lists of the photons of all lanes. While the list of a lane is open, the
