@@ -75,7 +75,8 @@ static inline void score_probe(murk_score_path *path, const murk_probe *probe,
 void murk_score_start(murk_score_path *path, size_t channel, murk_station at)
 {
     const murk_scorer *scorer = path->scorer;
-    path->bin = scorer->copy + channel * scorer->tallies->cells;
+    path->low = scorer->low + channel * scorer->tallies->cells;
+    path->high = scorer->high + channel * scorer->tallies->cells;
     murk_score_jump(path, at);
 }
 
@@ -135,8 +136,9 @@ void murk_score_spill(murk_score_path *path)
         scorer->touched[touched] = (uint32_t)cell;
         touched += (before == 0) & (after > 0);
         *sum = after;
-        /* The bin is needed at the end of the photon: load it in advance. */
-        __builtin_prefetch(&path->bin[cell], 1);
+        /* The lower half is needed at the end of the photon: load it in
+         * advance. */
+        __builtin_prefetch(&path->low[cell], 1);
     }
     scorer->n_touched = touched;
     path->last = 0;
@@ -145,24 +147,25 @@ void murk_score_spill(murk_score_path *path)
 
 /* Adds the rounded sums of the photon that ends to the tallies, and clears
  * them. Inlined for each of the cases. */
-static inline __attribute__((always_inline)) void add_sums(murk_scorer *scorer,
-                                                           murk_tally_bin *bin,
-                                                           bool is_alone,
-                                                           bool takes_back)
+static inline __attribute__((always_inline)) void
+add_sums(const murk_score_path *path, bool is_alone, bool takes_back)
 {
+    murk_scorer *const scorer = path->scorer;
     for (size_t i = 0; i < scorer->n_touched; ++i) {
         const uint32_t cell = scorer->touched[i];
+        murk_tally_bin *const low = &path->low[cell];
+        murk_tally_bin *const high = &path->high[cell];
         /* Below 2^48: MURK_TALLY_SEGMENTS_MAX segments of a packet. */
         const uint64_t value = (uint64_t)(int64_t)(scorer->sum[cell] + 0.5);
         const murk_wide square = (murk_wide)value * value;
         const murk_wide sum = takes_back ? -(murk_wide)value : value;
         const murk_wide squares = takes_back ? -square : square;
         if (is_alone) {
-            murk_wide_add_alone(&bin[cell].sum, sum);
-            murk_wide_add_alone(&bin[cell].squares, squares);
+            murk_wide_add_alone(&low->sum, &high->sum, sum);
+            murk_wide_add_alone(&low->squares, &high->squares, squares);
         } else {
-            murk_wide_add(&bin[cell].sum, sum);
-            murk_wide_add(&bin[cell].squares, squares);
+            murk_wide_add(&low->sum, &high->sum, sum);
+            murk_wide_add(&low->squares, &high->squares, squares);
         }
         scorer->sum[cell] = 0;
     }
@@ -171,14 +174,13 @@ static inline __attribute__((always_inline)) void add_sums(murk_scorer *scorer,
 
 void murk_score_end(murk_score_path *path, bool takes_back)
 {
-    murk_scorer *const scorer = path->scorer;
     murk_score_spill(path);
-    if (!scorer->is_alone) {
-        add_sums(scorer, path->bin, false, takes_back);
+    if (!path->scorer->is_alone) {
+        add_sums(path, false, takes_back);
     } else if (takes_back) {
-        add_sums(scorer, path->bin, true, true);
+        add_sums(path, true, true);
     } else {
-        add_sums(scorer, path->bin, true, false);
+        add_sums(path, true, false);
     }
     path->has_sums = false;
 }

@@ -49,9 +49,9 @@ typedef struct murk_lattice {
     uint32_t first;
 } murk_lattice;
 
-/* The integer sums of a cell and channel. */
+/* The lower or the upper halves of the integer sums of a cell and channel. */
 typedef struct murk_tally_bin {
-    murk_wide_sum sum, squares;
+    murk_wide_half sum, squares;
 } murk_tally_bin;
 
 /* Contributions that a photon may list before the list is emptied into the sums
@@ -86,7 +86,8 @@ typedef struct murk_scorer murk_scorer;
 /* A photon under way. */
 typedef struct murk_score_path {
     murk_scorer *scorer;
-    murk_tally_bin *bin; /* [cells] of the channel of the photon */
+    murk_tally_bin *low, *high; /* [cells]: halves of the sums of the channel of
+                                 * the photon */
     murk_station at;
     double *side; /* [planes]: signed distance of `at` beyond each plane */
     /* The list: contributions in the order of the path, entries 1 to `last`. */
@@ -104,11 +105,11 @@ struct murk_scorer {
     uint32_t *touched; /* [cells + 1]: numbers of the cells that are not 0, and
                         * one that is overwritten */
     size_t n_touched;
-    murk_tally_bin *copy;    /* [channels][cells] */
-    bool is_alone;           /* no other scorer adds to this copy */
-    double *sides;           /* [MURK_SCORE_PATHS][planes] */
-    murk_score_entry *lists; /* [MURK_SCORE_LISTS] */
-    murk_score_entry *spare; /* the last of the lists */
+    murk_tally_bin *low, *high; /* [channels][cells]: halves of the sums */
+    bool is_alone;              /* no other scorer adds to this copy */
+    double *sides;              /* [MURK_SCORE_PATHS][planes] */
+    murk_score_entry *lists;    /* [MURK_SCORE_LISTS] */
+    murk_score_entry *spare;    /* the last of the lists */
     murk_score_path path[MURK_SCORE_PATHS];
 };
 
@@ -124,9 +125,10 @@ struct murk_tallies {
     size_t cells, channels;
     int bands;
     size_t scorers, copies;
-    murk_scorer **scorer; /* [scorers] */
-    murk_tally_bin *bin;  /* [copies][channels][cells] */
-    void *memory;         /* of the bins */
+    murk_scorer **scorer;       /* [scorers] */
+    murk_tally_bin *low, *high; /* [copies][channels][cells]: halves of the sums
+                                 */
+    void *memory;               /* of low and high */
 };
 
 /* The scorer of a worker of the thread pool. */

@@ -101,35 +101,66 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 }
 #endif
 
-#define AND(mask, a)             ((VECTOR)((mask) & (MASK)(a)))
-#define WHOLE_CHOSEN(mask, a, b) ((MASK)CHOSEN(mask, (VECTOR)(a), (VECTOR)(b)))
-#define PLAIN_CHOSEN(mask, a, b) \
-    ((VECTOR)(((mask) & (MASK)(a)) | (~(mask) & (MASK)(b))))
+/* Conditions that are masks: all bits of an element are equal. */
+#define MASK_LESS(a, b)         ((a) < (b))
+#define MASK_NOT_LESS(a, b)     ((a) >= (b))
+#define MASK_DIFFER(a, b)       ((a) != (b))
+#define MASK_EQUAL_WHOLE(a, b)  ((MASK)(a) == (MASK)(b))
+#define MASK_BOTH(c, d)         ((c) & (d))
+#define MASK_BUT(c, d)          ((c) & ~(d))
+#define MASK_NEITHER(c, d)      (~(c) & ~(d))
+#define MASK_AND(c, a)          ((VECTOR)((c) & (MASK)(a)))
+#define MASK_INCREASED(c, a, b) ((a) + MASK_AND(c, b))
+
+#define WHOLE_CHOSEN(c, a, b) ((MASK)CHOSEN(c, (VECTOR)(a), (VECTOR)(b)))
 
 /* The integer of a whole number from 0 to 2^52 - 1: the last bits of the sum
  * with 2^52. */
 #define WHOLE(a) ((MASK)((a) + 0x1p52) ^ 0x4330000000000000)
 
-#define WIDTH        2 /* numbers in a register of 16 bytes */
-#define TARGET       MURK_TARGET_BASELINE
-#define NAMED(name)  name##_baseline
-#define CHOSEN       PLAIN_CHOSEN
-#define LOWER(a, b)  CHOSEN((a) < (b), a, b)
-#define HIGHER(a, b) CHOSEN((a) > (b), a, b)
+#define WIDTH           2 /* numbers in a register of 16 bytes */
+#define TARGET          MURK_TARGET_BASELINE
+#define NAMED(name)     name##_baseline
+#define TRUTHS          MASK
+#define LESS            MASK_LESS
+#define NOT_LESS        MASK_NOT_LESS
+#define DIFFER          MASK_DIFFER
+#define EQUAL_WHOLE     MASK_EQUAL_WHOLE
+#define BOTH            MASK_BOTH
+#define BUT             MASK_BUT
+#define NEITHER         MASK_NEITHER
+#define AND             MASK_AND
+#define INCREASED       MASK_INCREASED
+#define MASK_OF(c)      (c)
+#define CHOSEN(c, a, b) ((VECTOR)(((c) & (MASK)(a)) | (~(c) & (MASK)(b))))
+#define LOWER(a, b)     CHOSEN((a) < (b), a, b)
+#define HIGHER(a, b)    CHOSEN((a) > (b), a, b)
 #define ROUNDED_DOWN(a) \
     ((a) + 0x1p52 - 0x1p52 - AND((a) + 0x1p52 - 0x1p52 > (a), (VECTOR){0} + 1))
 #define EVEN_PAIRS(a, b) ((VECTOR){(a)[0], (b)[0]})
 #define ODD_PAIRS(a, b)  ((VECTOR){(a)[1], (b)[1]})
 #define LOADED           loaded_baseline
-#define ANY(mask)        (((mask)[0] | (mask)[1]) != 0)
+#define ANY(c)           (((c)[0] | (c)[1]) != 0)
+#define LARGEST(a)       ((a)[0] > (a)[1] ? (a)[0] : (a)[1])
 #include "transport/score_lanes_kernel.h"
 
 #if defined(__x86_64__)
 #define WIDTH       4 /* 32 bytes */
 #define TARGET      MURK_TARGET_AVX2
 #define NAMED(name) name##_avx2
-#define CHOSEN(mask, a, b) \
-    ((VECTOR)_mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(mask)))
+#define TRUTHS      MASK
+#define LESS        MASK_LESS
+#define NOT_LESS    MASK_NOT_LESS
+#define DIFFER      MASK_DIFFER
+#define EQUAL_WHOLE MASK_EQUAL_WHOLE
+#define BOTH        MASK_BOTH
+#define BUT         MASK_BUT
+#define NEITHER     MASK_NEITHER
+#define AND         MASK_AND
+#define INCREASED   MASK_INCREASED
+#define MASK_OF(c)  (c)
+#define CHOSEN(c, a, b) \
+    ((VECTOR)_mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(c)))
 #define LOWER(a, b)     ((VECTOR)_mm256_min_pd((__m256d)(a), (__m256d)(b)))
 #define HIGHER(a, b)    ((VECTOR)_mm256_max_pd((__m256d)(a), (__m256d)(b)))
 #define ROUNDED_DOWN(a) ((VECTOR)_mm256_floor_pd((__m256d)(a)))
@@ -137,13 +168,29 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
     ((VECTOR)_mm256_unpacklo_pd((__m256d)(a), (__m256d)(b)))
 #define ODD_PAIRS(a, b) ((VECTOR)_mm256_unpackhi_pd((__m256d)(a), (__m256d)(b)))
 #define LOADED          loaded_avx2
-#define ANY(mask)       (_mm256_movemask_pd((__m256d)(mask)) != 0)
+#define ANY(c)          (_mm256_movemask_pd((__m256d)(c)) != 0)
+#define LARGEST(a)      fmax(fmax((a)[0], (a)[1]), fmax((a)[2], (a)[3]))
 #include "transport/score_lanes_kernel.h"
 
-#define WIDTH           8 /* 64 bytes */
-#define TARGET          MURK_TARGET_AVX512
-#define NAMED(name)     name##_avx512
-#define CHOSEN          PLAIN_CHOSEN
+/* AVX-512 has registers of conditions, with a bit for each lane. */
+#define WIDTH       8 /* 64 bytes */
+#define TARGET      MURK_TARGET_AVX512
+#define NAMED(name) name##_avx512
+#define TRUTHS      __mmask8
+#define LESS(a, b)  _mm512_cmp_pd_mask((__m512d)(a), (__m512d)(b), _CMP_LT_OQ)
+#define NOT_LESS(a, b) \
+    _mm512_cmp_pd_mask((__m512d)(a), (__m512d)(b), _CMP_GE_OQ)
+#define DIFFER(a, b)      _mm512_cmp_pd_mask((__m512d)(a), (__m512d)(b), _CMP_NEQ_UQ)
+#define EQUAL_WHOLE(a, b) _mm512_cmpeq_epi64_mask((__m512i)(a), (__m512i)(b))
+#define BOTH(c, d)        _kand_mask8(c, d)
+#define BUT(c, d)         _kandn_mask8(d, c)
+#define NEITHER(c, d)     _knot_mask8(_kor_mask8(c, d))
+#define AND(c, a)         ((VECTOR)_mm512_maskz_mov_pd(c, (__m512d)(a)))
+#define INCREASED(c, a, b) \
+    ((VECTOR)_mm512_mask_add_pd((__m512d)(a), c, (__m512d)(a), (__m512d)(b)))
+#define MASK_OF(c) ((MASK)_mm512_movm_epi64(c))
+#define CHOSEN(c, a, b) \
+    ((VECTOR)_mm512_mask_blend_pd(c, (__m512d)(b), (__m512d)(a)))
 #define LOWER(a, b)     ((VECTOR)_mm512_min_pd((__m512d)(a), (__m512d)(b)))
 #define HIGHER(a, b)    ((VECTOR)_mm512_max_pd((__m512d)(a), (__m512d)(b)))
 #define ROUNDED_DOWN(a) ((VECTOR)_mm512_floor_pd((__m512d)(a)))
@@ -151,7 +198,8 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
     ((VECTOR)_mm512_unpacklo_pd((__m512d)(a), (__m512d)(b)))
 #define ODD_PAIRS(a, b) ((VECTOR)_mm512_unpackhi_pd((__m512d)(a), (__m512d)(b)))
 #define LOADED          loaded_avx512
-#define ANY(mask)       (_mm512_movepi64_mask((__m512i)(mask)) != 0)
+#define ANY(c)          ((c) != 0)
+#define LARGEST(a)      _mm512_reduce_max_pd((__m512d)(a))
 #include "transport/score_lanes_kernel.h"
 #endif
 

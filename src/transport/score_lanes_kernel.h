@@ -5,14 +5,26 @@
  *   WIDTH              the number of lanes in a register
  *   TARGET             the attribute of functions
  *   NAMED()            names of the set
- *   CHOSEN(m, a, b)    a where the mask is -1, b where it is 0
+ *   TRUTHS             the type of a condition in all lanes: a mask, or bits
+ *   LESS(a, b)         the condition a < b
+ *   NOT_LESS(a, b)     the condition a >= b, false for NaN
+ *   DIFFER(a, b)       the condition a != b
+ *   EQUAL_WHOLE(a, b)  the condition a == b of integers
+ *   BOTH(c, d)         c and d
+ *   BUT(c, d)          c and not d
+ *   NEITHER(c, d)      neither c nor d
+ *   AND(c, a)          a where the condition c is true, else 0
+ *   INCREASED(c, a, b) a + b where the condition c is true, else a
+ *   CHOSEN(c, a, b)    a where the condition c is true, else b
+ *   MASK_OF(c)         -1 where the condition c is true, else 0
  *   LOWER(a, b)        a < b ? a : b
  *   HIGHER(a, b)       a > b ? a : b
  *   ROUNDED_DOWN(a)    for numbers from 0 to 2^51
  *   EVEN_PAIRS(a, b)   elements 0, 2, ... of a and b in turn
  *   ODD_PAIRS(a, b)    elements 1, 3, ... of a and b in turn
  *   LOADED(base, at)   the entries at base + at[0], base + at[2], ...
- *   ANY(m)             true if the mask is -1 in some lane
+ *   ANY(c)             true if the condition is true in some lane
+ *   LARGEST(a)         the largest element of a
  *
  * The operations are those of transport/score_grid.c in the same order. In each
  * round all photons of a register fly on to the next face between cells, until
@@ -47,7 +59,7 @@ typedef struct AXIS {
                              * the face after the last one to cross */
     VECTOR first, crossed;  /* the cell of the start; the number of faces */
     MASK stride;            /* of the cell number, to the next cell ahead */
-    MASK is_within;         /* both ends lie in the grid */
+    TRUTHS is_within;       /* both ends lie in the grid */
 } AXIS;
 
 KERNEL NAMED(set_up)(NAMED(grid_axis) * axis, double low_m, double cells_per_m,
@@ -77,8 +89,8 @@ KERNEL NAMED(set_out)(AXIS *axis, const NAMED(grid_axis) * grid,
      */
     const VECTOR first = ROUNDED_DOWN(at), last = ROUNDED_DOWN(to);
     /* The faces between them. */
-    const MASK is_up = last > first;
-    const VECTOR one = (VECTOR){0} + 1, up = AND(is_up, one);
+    const TRUTHS is_up = LESS(first, last);
+    const VECTOR zero = {0}, one = zero + 1, up = AND(is_up, one);
     *axis = (AXIS){.at = at,
                    .per_pace = 1 / pace,
                    .face = first + up,
@@ -87,20 +99,20 @@ KERNEL NAMED(set_out)(AXIS *axis, const NAMED(grid_axis) * grid,
                    .first = first,
                    .crossed = (VECTOR)((MASK)(last - first) & INT64_MAX),
                    .stride = WHOLE_CHOSEN(is_up, grid->up, grid->down),
-                   .is_within =
-                       (LOWER(at, to) >= 0) & (HIGHER(at, to) < grid->size)};
+                   .is_within = BOTH(NOT_LESS(LOWER(at, to), zero),
+                                     LESS(HIGHER(at, to), grid->size))};
 }
 
 /* The length at which the face is met; infinite after the last face. */
 KERNEL NAMED(meet)(VECTOR *next_m, const AXIS *axis)
 {
-    *next_m = CHOSEN(axis->face != axis->end,
+    *next_m = CHOSEN(DIFFER(axis->face, axis->end),
                      (axis->face - axis->at) * axis->per_pace,
                      (VECTOR){0} + INFINITY);
 }
 
 /* Segments of WIDTH lanes; those that are not within are left out. */
-KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
+KERNEL NAMED(score_some)(TRUTHS *is_left_out, const NAMED(grid) * grid,
                          const murk_lane_segments *segments,
                          murk_lane_lists *lists, size_t lane)
 {
@@ -114,18 +126,17 @@ KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
     NAMED(set_out)(&x, &grid->x, &from->x[lane], &from->dx[lane], whole_m);
     NAMED(set_out)(&y, &grid->y, &from->y[lane], &from->dy[lane], whole_m);
     NAMED(set_out)(&z, &grid->z, &from->z[lane], &from->dz[lane], whole_m);
-    const MASK is_flown = whole_m > 0;
-    const MASK is_within = x.is_within & y.is_within & z.is_within & is_flown;
-    *is_left_out = is_flown & ~is_within;
+    const VECTOR zero = {0};
+    const TRUTHS is_flown = LESS(zero, whole_m);
+    const TRUTHS is_within =
+        BOTH(BOTH(x.is_within, y.is_within), BOTH(z.is_within, is_flown));
+    *is_left_out = BUT(is_flown, is_within);
     const VECTOR length_m = AND(is_within, whole_m);
     MASK cell = WHOLE(x.first + y.first * grid->y.stride +
                       z.first * grid->z.stride + grid->first);
     /* The faces to cross, and the largest number of them. */
     const VECTOR crossed = AND(is_within, x.crossed + y.crossed + z.crossed);
-    double faces = crossed[0];
-    for (size_t i = 1; i < WIDTH; ++i) {
-        faces = crossed[i] > faces ? crossed[i] : faces;
-    }
+    const double faces = LARGEST(crossed);
     /* The first entry of each segment: the last one of the list, if that is of
      * the same cell, else a new one. */
     MASK last;
@@ -133,11 +144,11 @@ KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
     char *const entries = (char *)lists->entries;
     VECTOR even = LOADED(entries, &lists->last[lane]),
            odd = LOADED(entries, &lists->last[lane + 1]);
-    const MASK is_same = cell == (MASK)ODD_PAIRS(even, odd);
+    const TRUTHS is_same = EQUAL_WHOLE(cell, ODD_PAIRS(even, odd));
     VECTOR carried = AND(is_same, EVEN_PAIRS(even, odd));
+    const MASK entry = (MASK){0} + (int64_t)sizeof(murk_score_entry);
     const MASK first = WHOLE_CHOSEN(
-        is_within, last + (~is_same & (int64_t)sizeof(murk_score_entry)),
-        grid->spare);
+        is_within, WHOLE_CHOSEN(is_same, last, last + entry), grid->spare);
     last = WHOLE_CHOSEN(
         is_within, first + WHOLE(crossed) * (int64_t)sizeof(murk_score_entry),
         last);
@@ -148,7 +159,7 @@ KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
     }
     /* Fly, until the photon that crosses most faces has arrived. What others
      * write until then is beyond the end of their lists. */
-    VECTOR t = {0};
+    VECTOR t = zero;
     VECTOR next_x, next_y, next_z, after_x, after_y, after_z;
     NAMED(meet)(&next_x, &x);
     NAMED(meet)(&next_y, &y);
@@ -162,14 +173,14 @@ KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
          * does not matter then. */
         const VECTOR next_yz = LOWER(next_y, next_z);
         const VECTOR met = LOWER(next_x, next_yz);
-        const MASK is_x = next_x < next_yz;
-        const MASK is_y = ~is_x & (next_y < next_z);
-        const MASK is_z = ~is_x & ~(next_y < next_z);
+        const TRUTHS is_x = LESS(next_x, next_yz);
+        const TRUTHS is_y = BUT(LESS(next_y, next_z), is_x);
+        const TRUTHS is_z = NEITHER(is_x, is_y);
         /* The length up to the face, or to the end. */
         const VECTOR until = LOWER(met, length_m), reached = HIGHER(until, t);
         const VECTOR value = carried + (reached - t) * quanta_per_m;
         t = reached;
-        carried = (VECTOR){0};
+        carried = zero;
         /* Write the entries. */
         even = EVEN_PAIRS(value, (VECTOR)cell);
         odd = ODD_PAIRS(value, (VECTOR)cell);
@@ -191,9 +202,9 @@ KERNEL NAMED(score_some)(MASK *is_left_out, const NAMED(grid) * grid,
         next_x = CHOSEN(is_x, after_x, next_x);
         next_y = CHOSEN(is_y, after_y, next_y);
         next_z = CHOSEN(is_z, after_z, next_z);
-        x.face += AND(is_x, x.step);
-        y.face += AND(is_y, y.step);
-        z.face += AND(is_z, z.step);
+        x.face = INCREASED(is_x, x.face, x.step);
+        y.face = INCREASED(is_y, y.face, y.step);
+        z.face = INCREASED(is_z, z.face, z.step);
         cell += WHOLE_CHOSEN(is_x, x.stride,
                              WHOLE_CHOSEN(is_y, y.stride, z.stride));
     }
@@ -213,10 +224,11 @@ TARGET static void NAMED(score)(const murk_lattice *lattice,
     NAMED(set_up)(&grid.y, lattice->box.min.y, k[1], n[1], n[0]);
     NAMED(set_up)(&grid.z, lattice->box.min.z, k[2], n[2], n[0] * n[1]);
     for (size_t lane = 0; lane < segments->n; lane += WIDTH) {
-        MASK is_left_out;
+        TRUTHS is_left_out;
         NAMED(score_some)(&is_left_out, &grid, segments, lists, lane);
+        const MASK left_out = MASK_OF(is_left_out);
         for (size_t i = 0; ANY(is_left_out) && i < WIDTH; ++i) {
-            if (is_left_out[i]) {
+            if (left_out[i]) {
                 score_one(lattice, segments, lists, lane + i);
             }
         }
@@ -235,7 +247,7 @@ TARGET static void NAMED(select)(murk_lane_segments *segments,
         memcpy(&last, &lists->last[lane], sizeof last);
         memcpy(&limit, &lists->limit[lane], sizeof limit);
         const MASK is_scored = (met != 0) & (last < limit);
-        length_m = AND(is_scored, length_m);
+        length_m = (VECTOR)(is_scored & (MASK)length_m);
         memcpy(&segments->is_scored[lane], &is_scored, sizeof is_scored);
         memcpy(&segments->length_m[lane], &length_m, sizeof length_m);
     }
@@ -244,7 +256,19 @@ TARGET static void NAMED(select)(murk_lane_segments *segments,
 #undef WIDTH
 #undef TARGET
 #undef NAMED
+#undef TRUTHS
+#undef LESS
+#undef NOT_LESS
+#undef DIFFER
+#undef EQUAL_WHOLE
+#undef BOTH
+#undef BUT
+#undef NEITHER
+#undef AND
+#undef INCREASED
 #undef CHOSEN
+#undef MASK_OF
+#undef LARGEST
 #undef LOWER
 #undef HIGHER
 #undef ROUNDED_DOWN

@@ -14,6 +14,9 @@
  * other, because with so many sums threads seldom meet. */
 #define COPIES_BYTES 64e6
 
+/* Bytes of the sums of a cell and channel: both halves. */
+#define SUMS_BYTES (2 * sizeof(murk_tally_bin))
+
 /* Bytes of a line of the cache of most processors. */
 #define CACHE_LINE 64
 
@@ -28,7 +31,7 @@ static size_t scorers_of(unsigned threads)
 
 static size_t copies_of(double cells, size_t channels, unsigned threads)
 {
-    const double copy_bytes = cells * (double)channels * sizeof(murk_tally_bin);
+    const double copy_bytes = cells * (double)channels * SUMS_BYTES;
     const double copies = floor(COPIES_BYTES / copy_bytes);
     const double maximum = (double)scorers_of(threads);
     return copies < 1 ? 1 : (size_t)(copies < maximum ? copies : maximum);
@@ -46,7 +49,7 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
         }
     }
     const double sums = (double)copies_of(cells, channels, threads) *
-                        (double)channels * sizeof(murk_tally_bin);
+                        (double)channels * SUMS_BYTES;
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
     const double lists = (double)scorers_of(threads) *
@@ -149,7 +152,9 @@ static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
         s->sum = calloc(t->cells, sizeof *s->sum);
         s->touched = malloc((t->cells + 1) * sizeof *s->touched);
         s->is_alone = t->copies == t->scorers;
-        s->copy = t->bin + number % t->copies * t->channels * t->cells;
+        const size_t first = number % t->copies * t->channels * t->cells;
+        s->low = t->low + first;
+        s->high = t->high + first;
         if (is_whole(s)) {
             begin_lists(s, t->planes);
         }
@@ -163,16 +168,16 @@ static bool provide(murk_tallies *t, unsigned threads)
 {
     t->scorers = scorers_of(threads);
     t->copies = copies_of((double)t->cells, t->channels, threads);
-    /* Two bins share a cache line, and none lies in two. */
-    const size_t bytes =
-        t->copies * t->channels * t->cells * sizeof(murk_tally_bin);
-    t->memory = calloc(bytes + CACHE_LINE, 1);
+    /* Four bins share a cache line, and none lies in two. */
+    const size_t bins = t->copies * t->channels * t->cells;
+    t->memory = calloc(bins * SUMS_BYTES + CACHE_LINE, 1);
     if (t->memory) {
         const size_t off = (uintptr_t)t->memory % CACHE_LINE;
-        t->bin = (murk_tally_bin *)((char *)t->memory + CACHE_LINE - off);
+        t->low = (murk_tally_bin *)((char *)t->memory + CACHE_LINE - off);
+        t->high = t->low + bins;
     }
     t->scorer = calloc(t->scorers, sizeof *t->scorer);
-    bool has_all = t->bin && t->scorer;
+    bool has_all = t->low && t->scorer;
     for (size_t i = 0; has_all && i < t->scorers; ++i) {
         t->scorer[i] = scorer_made(t, i);
         has_all = is_whole(t->scorer[i]);
@@ -263,9 +268,9 @@ static void sum_copies(const murk_tallies *t, size_t i, murk_wide *sum,
 {
     *sum = *squares = 0;
     for (size_t copy = 0; copy < t->copies; ++copy) {
-        const murk_tally_bin *from = &t->bin[copy * t->channels * t->cells + i];
-        *sum += murk_wide_read(&from->sum);
-        *squares += murk_wide_read(&from->squares);
+        const size_t at = copy * t->channels * t->cells + i;
+        *sum += murk_wide_read(&t->low[at].sum, &t->high[at].sum);
+        *squares += murk_wide_read(&t->low[at].squares, &t->high[at].squares);
     }
 }
 
@@ -289,8 +294,10 @@ void murk_tallies_read_sums(const murk_tallies *t, uint64_t *word)
 void murk_tallies_add_sums(murk_tallies *t, const uint64_t *word)
 {
     for (size_t i = 0; i < t->channels * t->cells; ++i, word += 4) {
-        murk_wide_add(&t->bin[i].sum, (murk_wide)word[1] << 64 | word[0]);
-        murk_wide_add(&t->bin[i].squares, (murk_wide)word[3] << 64 | word[2]);
+        murk_wide_add(&t->low[i].sum, &t->high[i].sum,
+                      (murk_wide)word[1] << 64 | word[0]);
+        murk_wide_add(&t->low[i].squares, &t->high[i].squares,
+                      (murk_wide)word[3] << 64 | word[2]);
     }
 }
 

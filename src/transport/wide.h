@@ -11,40 +11,44 @@
 /* An extension of gcc and clang on 64-bit machines. */
 __extension__ typedef unsigned __int128 murk_wide;
 
-typedef struct murk_wide_sum {
-    _Atomic uint64_t low, high;
-} murk_wide_sum;
+/* Half of a sum. The two halves of a sum lie apart: the upper half changes
+ * seldom, so that the lower halves of many sums fit into a cache. */
+typedef _Atomic uint64_t murk_wide_half;
 
-static inline void murk_wide_add(murk_wide_sum *sum, murk_wide x)
+static inline void murk_wide_add(murk_wide_half *low, murk_wide_half *high,
+                                 murk_wide x)
 {
-    const uint64_t low = (uint64_t)x;
+    const uint64_t x_low = (uint64_t)x;
     const uint64_t before =
-        atomic_fetch_add_explicit(&sum->low, low, memory_order_relaxed);
-    const uint64_t high = (uint64_t)(x >> 64) + (before + low < low);
-    if (high) {
-        atomic_fetch_add_explicit(&sum->high, high, memory_order_relaxed);
+        atomic_fetch_add_explicit(low, x_low, memory_order_relaxed);
+    const uint64_t carried = (uint64_t)(x >> 64) + (before + x_low < x_low);
+    if (carried) {
+        atomic_fetch_add_explicit(high, carried, memory_order_relaxed);
     }
 }
 
-static inline murk_wide murk_wide_read(const murk_wide_sum *sum)
+static inline murk_wide murk_wide_read(const murk_wide_half *low,
+                                       const murk_wide_half *high)
 {
-    return (murk_wide)atomic_load_explicit(&sum->high, memory_order_relaxed)
-               << 64 |
-           atomic_load_explicit(&sum->low, memory_order_relaxed);
+    return (murk_wide)atomic_load_explicit(high, memory_order_relaxed) << 64 |
+           atomic_load_explicit(low, memory_order_relaxed);
 }
 
 /* Like murk_wide_add() if no other thread adds to the sum: ten times as
  * fast. */
-static inline void murk_wide_add_alone(murk_wide_sum *sum, murk_wide x)
+static inline void murk_wide_add_alone(murk_wide_half *low,
+                                       murk_wide_half *high, murk_wide x)
 {
-    const uint64_t before =
-        atomic_load_explicit(&sum->low, memory_order_relaxed);
-    const uint64_t low = before + (uint64_t)x;
-    const uint64_t high =
-        atomic_load_explicit(&sum->high, memory_order_relaxed) +
-        (uint64_t)(x >> 64) + (low < before);
-    atomic_store_explicit(&sum->low, low, memory_order_relaxed);
-    atomic_store_explicit(&sum->high, high, memory_order_relaxed);
+    const uint64_t x_low = (uint64_t)x;
+    const uint64_t after =
+        atomic_load_explicit(low, memory_order_relaxed) + x_low;
+    const uint64_t carried = (uint64_t)(x >> 64) + (after < x_low);
+    atomic_store_explicit(low, after, memory_order_relaxed);
+    if (carried) {
+        atomic_store_explicit(
+            high, atomic_load_explicit(high, memory_order_relaxed) + carried,
+            memory_order_relaxed);
+    }
 }
 
 static inline double murk_wide_value(murk_wide x)

@@ -459,19 +459,20 @@ static void test_wide_sums(void)
 {
     const murk_wide big =
         (murk_wide)UINT64_C(0xfedcba9876543210) * UINT64_C(0xfedcba9876543210);
-    murk_wide_sum shared = {0, 0}, alone = {0, 0};
+    /* the lower and the upper half */
+    murk_wide_half shared[2] = {0, 0}, alone[2] = {0, 0};
     for (int i = 0; i < 5; ++i) {
-        murk_wide_add(&shared, UINT64_MAX);
-        murk_wide_add_alone(&alone, UINT64_MAX);
+        murk_wide_add(&shared[0], &shared[1], UINT64_MAX);
+        murk_wide_add_alone(&alone[0], &alone[1], UINT64_MAX);
     }
-    CHECK(murk_wide_read(&shared) == (murk_wide)UINT64_MAX * 5);
-    CHECK(murk_wide_read(&alone) == (murk_wide)UINT64_MAX * 5);
-    murk_wide_add(&shared, big);
-    murk_wide_add_alone(&alone, big);
-    murk_wide_add(&shared, -big);
-    murk_wide_add_alone(&alone, -big);
-    CHECK(murk_wide_read(&shared) == (murk_wide)UINT64_MAX * 5);
-    CHECK(murk_wide_read(&alone) == (murk_wide)UINT64_MAX * 5);
+    CHECK(murk_wide_read(&shared[0], &shared[1]) == (murk_wide)UINT64_MAX * 5);
+    CHECK(murk_wide_read(&alone[0], &alone[1]) == (murk_wide)UINT64_MAX * 5);
+    murk_wide_add(&shared[0], &shared[1], big);
+    murk_wide_add_alone(&alone[0], &alone[1], big);
+    murk_wide_add(&shared[0], &shared[1], -big);
+    murk_wide_add_alone(&alone[0], &alone[1], -big);
+    CHECK(murk_wide_read(&shared[0], &shared[1]) == (murk_wide)UINT64_MAX * 5);
+    CHECK(murk_wide_read(&alone[0], &alone[1]) == (murk_wide)UINT64_MAX * 5);
 }
 
 /* Two photons in one channel: value a + b, variance 2/1 (a - b)^2 / 2. */
