@@ -542,6 +542,7 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
     b.segments.from = &b.before;
     if (sums->scorer) {
         murk_lane_lists_create(&b.lists, sums->scorer);
+        sums->scorer->add = b.scoring->add;
     } else {
         memset(b.segments.is_scored, -1, sizeof b.segments.is_scored);
     }

@@ -3,11 +3,19 @@
  * end of the photon, and added to the sums and the sums of squares. */
 #include "transport/score.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* Entries of the list by which sums of cells are loaded in advance: about the
  * time of a load from the second cache. */
 #define AHEAD 16
+
+/* The bits of the number of a slot. */
+#define SLOT_BITS 13
+
+static_assert(1 << SLOT_BITS == MURK_SCORE_SLOTS, "a number for each slot");
+static_assert(MURK_SCORE_ENTRIES <= MURK_SCORE_SLOTS / 2, "slots stay empty");
+static_assert(MURK_SCORE_ENTRIES <= UINT16_MAX, "a slot holds an entry");
 
 /* The signed distance of a position beyond a plane; 0 if the position lies in
  * the plane. */
@@ -136,8 +144,7 @@ void murk_score_spill(murk_score_path *path)
         scorer->touched[touched] = (uint32_t)cell;
         touched += (before == 0) & (after > 0);
         *sum = after;
-        /* The lower half is needed at the end of the photon: load it in
-         * advance. */
+        /* The sums of the cell are needed at the end of the photon. */
         __builtin_prefetch(&path->low[cell], 1);
     }
     scorer->n_touched = touched;
@@ -145,42 +152,125 @@ void murk_score_spill(murk_score_path *path)
     path->has_sums = true;
 }
 
-/* Adds the rounded sums of the photon that ends to the tallies, and clears
- * them. Inlined for each of the cases. */
-static inline __attribute__((always_inline)) void
-add_sums(const murk_score_path *path, bool is_alone, bool takes_back)
+/* The slot at which the search for a cell begins: the highest bits of the
+ * product with 2^32 / 1.618 (Knuth, The Art of Computer Programming, volume 3,
+ * 1973, section 6.4). */
+static inline uint32_t first_slot(uint32_t cell)
+{
+    return (uint32_t)(cell * UINT32_C(2654435769)) >> (32 - SLOT_BITS);
+}
+
+/* All bits if a slot has an entry, else 0: a condition that the compiler does
+ * not turn into a branch. */
+static inline uint64_t is_taken(size_t entry)
+{
+    return 0 - (uint64_t)(entry != 0);
+}
+
+/* Adds up the entries of each cell, in their order, in the first entries of the
+ * list, which then name the bins of the cells; `last` is the last of these. The
+ * slots in use are listed in `touched`. */
+static void join_cells(murk_score_path *path)
+{
+    murk_score_entry *restrict const list = path->list;
+    uint16_t *restrict const slots = path->scorer->slot;
+    uint32_t *restrict const touched = path->scorer->touched;
+    const size_t last = path->last;
+    size_t joined = 0;
+    for (size_t i = 1; i <= last; ++i) {
+        const uint32_t cell = (uint32_t)list[i].cell;
+        const uint64_t offset = cell * sizeof *path->low;
+        const double value = list[i].value;
+        /* The sums of the cell are needed soon: load them in advance. */
+        __builtin_prefetch((char *)path->low + offset, 1);
+        /* The slot of the cell, or an empty one. Entry 0 is that of an empty
+         * slot: its value is 0. There is no branch on is_new, because it is
+         * hard to predict if the photon has been in the cell before. */
+        uint32_t slot = first_slot(cell);
+        size_t entry = slots[slot];
+        while (is_taken(entry) & (list[entry].cell ^ offset)) {
+            slot = (slot + 1) % MURK_SCORE_SLOTS;
+            entry = slots[slot];
+        }
+        const bool is_new = entry == 0;
+        const size_t to = is_new ? joined + 1 : entry;
+        const double sum = list[entry].value + value;
+        touched[joined] = slot;
+        slots[slot] = (uint16_t)to;
+        list[to] = (murk_score_entry){sum, offset};
+        joined += is_new;
+    }
+    path->last = joined;
+}
+
+/* Adds a whole number and its square to the tallies, or subtracts them, while
+ * other threads may add. */
+static void add_shared(const murk_score_path *path, size_t cell,
+                       double contribution, bool takes_back)
+{
+    murk_tally_bin *const low = &path->low[cell];
+    murk_tally_bin *const high = &path->high[cell];
+    const murk_wide value = (murk_wide)(int64_t)(contribution + 0.5);
+    const murk_wide square = value * value;
+    murk_wide_add(&low->sum, &high->sum, takes_back ? -value : value);
+    murk_wide_add(&low->squares, &high->squares, takes_back ? -square : square);
+}
+
+/* Adds the sums of a photon whose list has been full, and clears them. */
+static void add_sums(const murk_score_path *path, bool is_alone,
+                     bool takes_back)
 {
     murk_scorer *const scorer = path->scorer;
     for (size_t i = 0; i < scorer->n_touched; ++i) {
         const uint32_t cell = scorer->touched[i];
-        murk_tally_bin *const low = &path->low[cell];
-        murk_tally_bin *const high = &path->high[cell];
-        /* Below 2^48: MURK_TALLY_SEGMENTS_MAX segments of a packet. */
-        const uint64_t value = (uint64_t)(int64_t)(scorer->sum[cell] + 0.5);
-        const murk_wide square = (murk_wide)value * value;
-        const murk_wide sum = takes_back ? -(murk_wide)value : value;
-        const murk_wide squares = takes_back ? -square : square;
         if (is_alone) {
-            murk_wide_add_alone(&low->sum, &high->sum, sum);
-            murk_wide_add_alone(&low->squares, &high->squares, squares);
+            murk_score_add_alone(&path->low[cell], &path->high[cell],
+                                 scorer->sum[cell]);
         } else {
-            murk_wide_add(&low->sum, &high->sum, sum);
-            murk_wide_add(&low->squares, &high->squares, squares);
+            add_shared(path, cell, scorer->sum[cell], takes_back);
         }
         scorer->sum[cell] = 0;
     }
     scorer->n_touched = 0;
 }
 
+/* Adds the joined entries of a list, and clears the slots. */
+static void add_list(const murk_score_path *path, bool is_alone,
+                     bool takes_back)
+{
+    murk_scorer *const scorer = path->scorer;
+    const size_t n = path->last;
+    if (is_alone) {
+        scorer->add(path->low, path->high, &path->list[1], n);
+    }
+    for (size_t i = 1; i <= n && !is_alone; ++i) {
+        add_shared(path, path->list[i].cell / sizeof *path->low,
+                   path->list[i].value, takes_back);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        scorer->slot[scorer->touched[i]] = 0;
+    }
+}
+
+void murk_score_add_entries(murk_tally_bin *low, murk_tally_bin *high,
+                            const murk_score_entry *entry, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const size_t cell = entry[i].cell / sizeof *low;
+        murk_score_add_alone(&low[cell], &high[cell], entry[i].value);
+    }
+}
+
 void murk_score_end(murk_score_path *path, bool takes_back)
 {
-    murk_score_spill(path);
-    if (!path->scorer->is_alone) {
-        add_sums(path, false, takes_back);
-    } else if (takes_back) {
-        add_sums(path, true, true);
+    const bool is_alone = path->scorer->is_alone && !takes_back;
+    if (path->has_sums) {
+        murk_score_spill(path);
+        add_sums(path, is_alone, takes_back);
     } else {
-        add_sums(path, true, false);
+        join_cells(path);
+        add_list(path, is_alone, takes_back);
     }
+    path->last = 0;
     path->has_sums = false;
 }

@@ -55,15 +55,20 @@ typedef struct murk_tally_bin {
 } murk_tally_bin;
 
 /* Contributions that a photon may list before the list is emptied into the sums
- * of the photon: a few cells for each of several hundred collisions. The lists
- * of a thread take 1.1 MB. Lists lie 16 entries further apart than their
- * length, because lists at distances of a power of 2 would share few sets of
- * the cache. */
-#define MURK_SCORE_ENTRIES 2048
+ * of the photon: a few cells for each of a thousand collisions. A photon whose
+ * list is full is followed alone, which few photons should be. The lists of a
+ * thread take 2.2 MB, of which most is never written. Lists lie 16 entries
+ * further apart than their length, because lists at distances of a power of 2
+ * would share few sets of the cache. */
+#define MURK_SCORE_ENTRIES 4096
 #define MURK_SCORE_STRIDE  (MURK_SCORE_ENTRIES + 16)
 
 /* Photons of one thread that are under way at the same time, at most. */
 #define MURK_SCORE_PATHS 32
+
+/* The slots of the hash table in which the cells of a list are looked up: a
+ * power of 2, more than the entries of a list. */
+#define MURK_SCORE_SLOTS 8192
 
 /* Entries of all lists of a thread, of which there is one more than photons:
  * the spare one is overwritten in lanes without a segment
@@ -75,11 +80,19 @@ typedef struct murk_tally_bin {
 #define MURK_SCORE_NO_CELL UINT32_MAX
 
 /* An entry of a list: a contribution [quanta] and its cell, as long as the
- * value, so that a vector register holds a whole entry. */
+ * value, so that a vector register holds a whole entry. At the end of the
+ * photon, when each cell has a single entry, the offset of the bin of the cell
+ * in bytes takes the place of the cell. */
 typedef struct murk_score_entry {
     double value;
     uint64_t cell;
 } murk_score_entry;
+
+/* Adds whole numbers, the values of n entries and their squares, to the sums of
+ * which `low` and `high` are the halves. Each entry has another cell; no other
+ * thread adds to the sums. */
+typedef void murk_score_adder(murk_tally_bin *low, murk_tally_bin *high,
+                              const murk_score_entry *entry, size_t n);
 
 typedef struct murk_scorer murk_scorer;
 
@@ -101,11 +114,17 @@ typedef struct murk_score_path {
 /* The state of one thread. */
 struct murk_scorer {
     const murk_tallies *tallies;
-    double *sum; /* [cells]: sums of the photon that ends; 0 between photons */
-    uint32_t *touched; /* [cells + 1]: numbers of the cells that are not 0, and
-                        * one that is overwritten */
+    /* The sums of a photon whose list is its whole path: the list itself, with
+     * one entry for each cell. The slot of a cell gives the entry; 0 if there
+     * is none, and between photons. */
+    uint16_t slot[MURK_SCORE_SLOTS];
+    /* The sums of a photon whose list has been full. */
+    double *sum;       /* [cells]; 0 between photons */
+    uint32_t *touched; /* [cells + 1]: numbers of the cells that are not 0, or
+                        * the slots in use, and one that is overwritten */
     size_t n_touched;
     murk_tally_bin *low, *high; /* [channels][cells]: halves of the sums */
+    murk_score_adder *add;      /* murk_score_add_entries(), or side by side */
     bool is_alone;              /* no other scorer adds to this copy */
     double *sides;              /* [MURK_SCORE_PATHS][planes] */
     murk_score_entry *lists;    /* [MURK_SCORE_LISTS] */
@@ -152,6 +171,21 @@ void murk_score_crossings(murk_score_path *path, murk_vec3 from,
 /* Continues the chain at another position, to which the photon was moved by a
  * periodic side: no crossing is scored between the two positions. */
 void murk_score_jump(murk_score_path *path, murk_station at);
+
+/* Adds what a photon has contributed to a cell to the halves of the sums of
+ * that cell, rounded to a whole number, as murk_score_adder does. */
+static inline void murk_score_add_alone(murk_tally_bin *low,
+                                        murk_tally_bin *high, double value)
+{
+    /* Below 2^48: MURK_TALLY_SEGMENTS_MAX segments of a packet. */
+    const uint64_t whole = (uint64_t)(int64_t)(value + 0.5);
+    murk_wide_add_alone(&low->sum, &high->sum, whole);
+    murk_wide_add_alone(&low->squares, &high->squares,
+                        (murk_wide)whole * whole);
+}
+
+/* A murk_score_adder that adds entries one by one. */
+murk_score_adder murk_score_add_entries;
 
 /* Ends the photon: rounds the sum of each cell, and adds it to the tallies or,
  * with takes_back, subtracts it instead. */

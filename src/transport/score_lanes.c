@@ -125,6 +125,8 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 #define LESS            MASK_LESS
 #define NOT_LESS        MASK_NOT_LESS
 #define DIFFER          MASK_DIFFER
+#define LESS_WHOLE      MASK_LESS
+#define PRODUCT(a, b)   ((a) * (b))
 #define EQUAL_WHOLE     MASK_EQUAL_WHOLE
 #define BOTH            MASK_BOTH
 #define BUT             MASK_BUT
@@ -152,6 +154,7 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 #define LESS        MASK_LESS
 #define NOT_LESS    MASK_NOT_LESS
 #define DIFFER      MASK_DIFFER
+#define LESS_WHOLE  MASK_LESS
 #define EQUAL_WHOLE MASK_EQUAL_WHOLE
 #define BOTH        MASK_BOTH
 #define BUT         MASK_BUT
@@ -161,6 +164,7 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 #define MASK_OF(c)  (c)
 #define CHOSEN(c, a, b) \
     ((VECTOR)_mm256_blendv_pd((__m256d)(b), (__m256d)(a), (__m256d)(c)))
+#define PRODUCT(a, b)   ((MASK)_mm256_mul_epu32((__m256i)(a), (__m256i)(b)))
 #define LOWER(a, b)     ((VECTOR)_mm256_min_pd((__m256d)(a), (__m256d)(b)))
 #define HIGHER(a, b)    ((VECTOR)_mm256_max_pd((__m256d)(a), (__m256d)(b)))
 #define ROUNDED_DOWN(a) ((VECTOR)_mm256_floor_pd((__m256d)(a)))
@@ -181,6 +185,7 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 #define NOT_LESS(a, b) \
     _mm512_cmp_pd_mask((__m512d)(a), (__m512d)(b), _CMP_GE_OQ)
 #define DIFFER(a, b)      _mm512_cmp_pd_mask((__m512d)(a), (__m512d)(b), _CMP_NEQ_UQ)
+#define LESS_WHOLE(a, b)  _mm512_cmplt_epi64_mask((__m512i)(a), (__m512i)(b))
 #define EQUAL_WHOLE(a, b) _mm512_cmpeq_epi64_mask((__m512i)(a), (__m512i)(b))
 #define BOTH(c, d)        _kand_mask8(c, d)
 #define BUT(c, d)         _kandn_mask8(d, c)
@@ -191,6 +196,7 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 #define MASK_OF(c) ((MASK)_mm512_movm_epi64(c))
 #define CHOSEN(c, a, b) \
     ((VECTOR)_mm512_mask_blend_pd(c, (__m512d)(b), (__m512d)(a)))
+#define PRODUCT(a, b)   ((MASK)_mm512_mul_epu32((__m512i)(a), (__m512i)(b)))
 #define LOWER(a, b)     ((VECTOR)_mm512_min_pd((__m512d)(a), (__m512d)(b)))
 #define HIGHER(a, b)    ((VECTOR)_mm512_max_pd((__m512d)(a), (__m512d)(b)))
 #define ROUNDED_DOWN(a) ((VECTOR)_mm512_floor_pd((__m512d)(a)))
@@ -206,10 +212,10 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 const murk_lane_scoring *murk_lane_scoring_for(murk_lane_set set)
 {
     static const murk_lane_scoring scoring[MURK_LANE_SETS] = {
-        [MURK_LANES_BASELINE] = {select_baseline, score_baseline},
+        [MURK_LANES_BASELINE] = {select_baseline, score_baseline, add_baseline},
 #if defined(__x86_64__)
-        [MURK_LANES_AVX2] = {select_avx2, score_avx2},
-        [MURK_LANES_AVX512] = {select_avx512, score_avx512},
+        [MURK_LANES_AVX2] = {select_avx2, score_avx2, add_avx2},
+        [MURK_LANES_AVX512] = {select_avx512, score_avx512, add_avx512},
 #endif
     };
     return &scoring[set];

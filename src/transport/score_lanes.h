@@ -50,6 +50,8 @@ typedef struct murk_lane_scoring {
     /* Scores the segments in a grid. */
     void (*score)(const murk_lattice *lattice,
                   const murk_lane_segments *segments, murk_lane_lists *lists);
+    /* Adds the entries of a list to the tallies. */
+    murk_score_adder *add;
 } murk_lane_scoring;
 
 /* The functions for a set of vector instructions. */

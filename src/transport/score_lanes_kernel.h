@@ -9,6 +9,7 @@
  *   LESS(a, b)         the condition a < b
  *   NOT_LESS(a, b)     the condition a >= b, false for NaN
  *   DIFFER(a, b)       the condition a != b
+ *   LESS_WHOLE(a, b)   the condition a < b of integers
  *   EQUAL_WHOLE(a, b)  the condition a == b of integers
  *   BOTH(c, d)         c and d
  *   BUT(c, d)          c and not d
@@ -17,6 +18,7 @@
  *   INCREASED(c, a, b) a + b where the condition c is true, else a
  *   CHOSEN(c, a, b)    a where the condition c is true, else b
  *   MASK_OF(c)         -1 where the condition c is true, else 0
+ *   PRODUCT(a, b)      the product of the lower halves of integers
  *   LOWER(a, b)        a < b ? a : b
  *   HIGHER(a, b)       a > b ? a : b
  *   ROUNDED_DOWN(a)    for numbers from 0 to 2^51
@@ -253,8 +255,68 @@ TARGET static void NAMED(select)(murk_lane_segments *segments,
     }
 }
 
+/* Adds carries to the upper halves: of the entries whose offsets are at[0],
+ * at[2], ..., two integers each, the sum and that of the squares. */
+TARGET static void NAMED(carry)(murk_tally_bin *high, const uint64_t *at,
+                                MASK is_carried)
+{
+    for (size_t i = 0; i < WIDTH; i += 2) {
+        murk_tally_bin *const bin = &high[at[i] / sizeof *high];
+        murk_wide_carry_alone(&bin->sum, is_carried[i] ? 1 : 0);
+        murk_wide_carry_alone(&bin->squares, is_carried[i + 1] ? 1 : 0);
+    }
+}
+
+/* Adds the values and squares of WIDTH / 2 entries, whose offsets are at[0],
+ * at[2], ..., to the lower halves. */
+KERNEL NAMED(add_half)(murk_tally_bin *low, murk_tally_bin *high,
+                       const uint64_t *at, MASK values)
+{
+    const MASK before = (MASK)LOADED((const char *)low, (const int64_t *)at);
+    const MASK after = before + values;
+    for (size_t i = 0; i < WIDTH; i += 2) {
+        memcpy((char *)low + at[i], (const int64_t *)&after + i, sizeof *low);
+    }
+    /* A sum without a sign that is less than one of the terms has carried. */
+    const MASK sign = (MASK){0} + INT64_MIN;
+    const TRUTHS carries = LESS_WHOLE(after ^ sign, before ^ sign);
+    if (ANY(carries)) {
+        NAMED(carry)(high, at, MASK_OF(carries));
+    }
+}
+
+TARGET static void NAMED(add)(murk_tally_bin *low, murk_tally_bin *high,
+                              const murk_score_entry *entry, size_t n)
+{
+    const size_t whole_registers = n - n % WIDTH;
+    for (size_t i = 0; i < whole_registers; i += WIDTH) {
+        VECTOR first, second;
+        memcpy(&first, &entry[i], sizeof first);
+        memcpy(&second, &entry[i + WIDTH / 2], sizeof second);
+        const VECTOR half = (VECTOR){0} + 0.5;
+        const MASK value =
+            WHOLE(ROUNDED_DOWN(EVEN_PAIRS(first, second) + half));
+        /* The square of a value above 2^32 needs 128 bits. */
+        const TRUTHS is_large = LESS_WHOLE((MASK){0} + UINT32_MAX, value);
+        if (ANY(is_large)) {
+            murk_score_add_entries(low, high, &entry[i], WIDTH);
+            continue;
+        }
+        const VECTOR square = (VECTOR)PRODUCT(value, value);
+        NAMED(add_half)
+        (low, high, &entry[i].cell, (MASK)EVEN_PAIRS((VECTOR)value, square));
+        NAMED(add_half)
+        (low, high, &entry[i + WIDTH / 2].cell,
+         (MASK)ODD_PAIRS((VECTOR)value, square));
+    }
+    murk_score_add_entries(low, high, &entry[whole_registers],
+                           n - whole_registers);
+}
+
 #undef WIDTH
 #undef TARGET
+#undef PRODUCT
+#undef LESS_WHOLE
 #undef NAMED
 #undef TRUTHS
 #undef LESS

@@ -53,7 +53,8 @@ double murk_tallies_memory(const murk_tally_desc *descs, size_t n,
     const double scratch =
         (double)scorers_of(threads) * (sizeof(double) + sizeof(uint32_t));
     const double lists = (double)scorers_of(threads) *
-                         (double)MURK_SCORE_LISTS * sizeof(murk_score_entry);
+                         (sizeof(murk_scorer) +
+                          (double)MURK_SCORE_LISTS * sizeof(murk_score_entry));
     return sizeof(murk_tallies) + lists + cells * (sums + scratch) +
            largest_grid * bands * WRITTEN_BYTES;
 }
@@ -151,6 +152,7 @@ static murk_scorer *scorer_made(const murk_tallies *t, size_t number)
         s->lists = malloc(MURK_SCORE_LISTS * sizeof *s->lists);
         s->sum = calloc(t->cells, sizeof *s->sum);
         s->touched = malloc((t->cells + 1) * sizeof *s->touched);
+        s->add = murk_score_add_entries;
         s->is_alone = t->copies == t->scorers;
         const size_t first = number % t->copies * t->channels * t->cells;
         s->low = t->low + first;

@@ -34,6 +34,14 @@ static inline murk_wide murk_wide_read(const murk_wide_half *low,
            atomic_load_explicit(low, memory_order_relaxed);
 }
 
+/* Adds to an upper half, if no other thread does. */
+static inline void murk_wide_carry_alone(murk_wide_half *high, uint64_t carried)
+{
+    atomic_store_explicit(
+        high, atomic_load_explicit(high, memory_order_relaxed) + carried,
+        memory_order_relaxed);
+}
+
 /* Like murk_wide_add() if no other thread adds to the sum: ten times as
  * fast. */
 static inline void murk_wide_add_alone(murk_wide_half *low,
@@ -45,9 +53,7 @@ static inline void murk_wide_add_alone(murk_wide_half *low,
     const uint64_t carried = (uint64_t)(x >> 64) + (after < x_low);
     atomic_store_explicit(low, after, memory_order_relaxed);
     if (carried) {
-        atomic_store_explicit(
-            high, atomic_load_explicit(high, memory_order_relaxed) + carried,
-            memory_order_relaxed);
+        murk_wide_carry_alone(high, carried);
     }
 }
 

@@ -1,7 +1,10 @@
 /* The scores of a segment in planes, spheres and grids, against plain twins: a
  * plane by the signs of its two ends, a sphere by fine steps, a grid by
- * clipping the segment to every cell. Deterministic but for the drawn segments,
+ * clipping the segment to every cell, a list that is joined by cell by one that
+ * is summed in an array of all cells. Deterministic but for the drawn segments,
  * whose seed is fixed. */
+#include <string.h>
+
 #include "base/rng.h"
 #include "check.h"
 #include "transport/score.h"
@@ -203,6 +206,56 @@ static void test_more_contributions_than_the_list_holds(void)
     }
     CHECK(scored_cells == 2 && other == 0);
     murk_tallies_destroy(s.tallies);
+}
+
+/* Lists a photon that is in many cells, in many of them several times. */
+static void list_photon(murk_score_path *path, uint64_t photon, size_t cells)
+{
+    murk_score_start(path, 0, open_at(0, 0, 0));
+    for (uint32_t i = 0; i < MURK_SCORE_ENTRIES / 8 * 5; ++i) {
+        const murk_random4 r = murk_random(7, MURK_TEST, photon, i, 0);
+        /* values of 0, of many packets, and all between */
+        const double value = r.u[0] < 0.1 ? 0 : pow(2, 40 * r.u[1]);
+        murk_score_list(path, (uint32_t)(r.u[2] * (double)cells), value);
+    }
+}
+
+/* A list whose cells are joined at the end of the photon gives the sums of a
+ * list that is emptied into the sums of the scorer, to the bit, also if photons
+ * are taken back. Most of the slots in which cells are looked up are needed. */
+static void test_joined_lists(void)
+{
+    murk_tally_desc d = lattice;
+    d.size[0] = d.size[1] = d.size[2] = 24;
+    const size_t cells = murk_tally_cells(&d);
+    const scored joined = begun(&d, 1), emptied = begun(&d, 1);
+    const murk_tallies *a = joined.tallies, *b = emptied.tallies;
+    /* The same photons in both. */
+    for (uint64_t photon = 0; photon < 40; ++photon) {
+        const bool takes_back = photon % 5 == 4;
+        list_photon(joined.path, photon, cells);
+        CHECK(!joined.path->has_sums);
+        murk_score_end(joined.path, takes_back);
+        list_photon(emptied.path, photon, cells);
+        murk_score_spill(emptied.path);
+        CHECK(emptied.path->has_sums);
+        murk_score_end(emptied.path, takes_back);
+    }
+    /* Equal sums, some of them beyond 64 bits, and no slot in use. */
+    CHECK(memcmp(a->low, b->low, cells * sizeof *a->low) == 0);
+    CHECK(memcmp(a->high, b->high, cells * sizeof *a->high) == 0);
+    size_t carried = 0;
+    for (size_t i = 0; i < cells; ++i) {
+        carried += murk_wide_read(&a->low[i].squares, &a->high[i].squares) >> 64
+                       ? 1
+                       : 0;
+    }
+    CHECK(carried > cells / 10);
+    for (size_t i = 0; i < MURK_SCORE_SLOTS; ++i) {
+        CHECK(joined.path->scorer->slot[i] == 0);
+    }
+    murk_tallies_destroy(joined.tallies);
+    murk_tallies_destroy(emptied.tallies);
 }
 
 /* ---- spheres ---- */
@@ -516,6 +569,7 @@ int main(void)
     test_segments_on_faces();
     test_segments_that_score_nothing();
     test_more_contributions_than_the_list_holds();
+    test_joined_lists();
     test_segments_through_spheres(1);
     test_bins_of_a_plane();
     test_axes_of_a_plane();

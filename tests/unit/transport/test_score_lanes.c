@@ -2,7 +2,8 @@
  * lists of segments that are scored one by one, to the bit: drawn ones, ones
  * along axes, on faces and edges, of no length, with ends outside of the grid,
  * and lanes without a segment, for every vector instruction set of this
- * processor. Nothing here is statistical. */
+ * processor. So do lists that are added to the tallies side by side. Nothing
+ * here is statistical. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -131,12 +132,49 @@ static void compare(murk_lane_set set)
     murk_tallies_destroy(fast);
 }
 
+#define CELLS  300
+#define ROUNDS 200
+
+/* Values from 0 to 2^36, whose squares fill 72 bits, one for each of n cells in
+ * mixed order. */
+static void list_values(murk_score_entry *entry, uint32_t n, uint64_t round)
+{
+    for (uint32_t i = 0; i < n; ++i) {
+        const murk_random4 r = murk_random(2, MURK_TEST, round, i, 0);
+        const uint64_t cell = (i * UINT64_C(7) + round) % CELLS;
+        entry[i] = (murk_score_entry){r.u[0] < 0.1 ? 0 : pow(2, 36 * r.u[1]),
+                                      cell * sizeof(murk_tally_bin)};
+    }
+}
+
+static void compare_adders(murk_lane_set set)
+{
+    static murk_tally_bin low[2][CELLS], high[2][CELLS];
+    memset(low, 0, sizeof low);
+    memset(high, 0, sizeof high);
+    murk_score_entry entry[CELLS];
+    for (uint64_t round = 0; round < ROUNDS; ++round) {
+        const uint32_t n = (uint32_t)(round * 13 % (CELLS + 1));
+        list_values(entry, n, round);
+        murk_score_add_entries(low[0], high[0], entry, n);
+        murk_lane_scoring_for(set)->add(low[1], high[1], entry, n);
+    }
+    CHECK(memcmp(low[0], low[1], sizeof low[0]) == 0);
+    CHECK(memcmp(high[0], high[1], sizeof high[0]) == 0);
+    size_t carried = 0;
+    for (size_t i = 0; i < CELLS; ++i) {
+        carried += high[0][i].squares > 0;
+    }
+    CHECK(carried > CELLS / 2);
+}
+
 int main(void)
 {
     for (size_t i = 0; i < MURK_LANE_SETS; ++i) {
         const murk_lane_set set = (murk_lane_set)i;
         if (test_lane_set_forced(set)) {
             compare(set);
+            compare_adders(set);
         }
     }
     return check_done();
