@@ -400,14 +400,16 @@ static void finish_all(lane_batch *b, size_t n)
         b->is_heard ? UINT64_MAX
                     : b->steps->unfinished(&b->lanes, b->segments.is_scored, n);
     uint64_t left = unfinished & ((UINT64_C(1) << b->n) - 1);
-    b->sums->collisions += b->n - (size_t)__builtin_popcountll(left);
+    size_t finished = b->n;
     /* From the last lane to the first, because a gap is filled with the last
      * lane. */
     while (left != 0) {
         const size_t i = 63 - (size_t)__builtin_clzll(left);
         left ^= UINT64_C(1) << i;
+        --finished;
         finish(b, i);
     }
+    b->sums->collisions += finished;
 }
 
 /* The free flights, and what ends them. */

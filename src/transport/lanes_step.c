@@ -180,109 +180,102 @@ MURK_LANE_KERNEL clip(murk_photon_lanes *restrict l,
     }
 }
 
-/* The next end of a part of the ray beyond piece_from; a lane without one flies
- * no further. */
-MURK_LANE_KERNEL find_piece(murk_photon_lanes *restrict l, size_t regions,
-                            size_t n)
+/* 1 for regions that replace those before them, else 0. */
+static inline void note_replacing(double replaces[MURK_LANE_REGIONS_MAX],
+                                  const murk_lane_regions *regions)
 {
-    MURK_FOR_LANES(n)
-    {
-        l->piece_to[i] = INFINITY;
-        l->is_ahead[i] = 0;
-        l->piece_extinction[i] = 0;
+    for (size_t k = 0; k < MURK_LANE_REGIONS_MAX; ++k) {
+        replaces[k] = murk_truth(k < regions->n && regions->region[k].replaces);
     }
-    /* The nearest end over all regions. */
+}
+
+/* The sum of the extinctions of the regions that fill the interval of a lane.
+ * The extinction of a grid counts as 0 until the lane has collided. */
+static inline __attribute__((always_inline)) double
+extinction_of(const murk_photon_lanes *restrict l, const double *replaces,
+              size_t regions, size_t i)
+{
+    const double from = l->piece_from[i], to = l->piece_to[i];
+    double extinction = 0;
     for (size_t k = 0; k < regions; ++k) {
-        MURK_FOR_LANES(n)
-        {
-            const double here = l->piece_from[i];
-            const double ahead =
-                murk_choose(l->span_from[k][i] > here, l->span_from[k][i],
-                            l->span_to[k][i]);
+        const bool is_present =
+            (l->span_from[k][i] <= from) & (l->span_to[k][i] >= to);
+        const double sum =
+            (1 - replaces[k]) * extinction + l->region_extinction[k][i];
+        extinction = murk_choose(is_present, sum, extinction);
+    }
+    return extinction;
+}
+
+/* The next end of a part of the ray beyond piece_from; a lane without one flies
+ * no further. Then the regions that fill the interval up to there: the last one
+ * that replaces those before it, and the sum of the extinctions. */
+MURK_LANE_KERNEL find_piece(murk_photon_lanes *restrict l,
+                            const double *replaces, size_t regions, size_t n)
+{
+    MURK_FOR_LANES(n)
+    {
+        const double here = l->piece_from[i];
+        double to = INFINITY, flies = 0;
+        /* The nearest end over all regions. */
+        for (size_t k = 0; k < regions; ++k) {
+            const double from_k = l->span_from[k][i], to_k = l->span_to[k][i];
+            const double ahead = murk_choose(from_k > here, from_k, to_k);
             const bool is_ahead = ahead > here;
-            const bool is_nearer = is_ahead & (ahead < l->piece_to[i]);
-            l->is_ahead[i] = murk_choose(is_ahead, 1, l->is_ahead[i]);
-            l->piece_to[i] = murk_choose(is_nearer, ahead, l->piece_to[i]);
+            flies = murk_choose(is_ahead, 1, flies);
+            to = murk_choose(is_ahead & (ahead < to), ahead, to);
         }
+        l->flies[i] *= flies;
+        l->piece_to[i] = to;
     }
     MURK_FOR_LANES(n)
     {
-        l->flies[i] *= l->is_ahead[i];
-    }
-}
-
-/* Adds the extinctions of the regions that fill the interval. The extinction of
- * a grid counts as 0 until the lane has collided. */
-MURK_LANE_KERNEL add_extinctions(murk_photon_lanes *restrict l,
-                                 const murk_lane_facts *facts, size_t n)
-{
-    for (size_t k = 0; k < facts->regions.n; ++k) {
-        const double keeps = facts->regions.region[k].replaces ? 0 : 1;
-        MURK_FOR_LANES(n)
-        {
-            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
-                                    (l->span_to[k][i] >= l->piece_to[i]);
-            const double before = l->piece_extinction[i];
-            const double sum = keeps * before + l->region_extinction[k][i];
-            l->piece_extinction[i] = murk_choose(is_present, sum, before);
+        const double from = l->piece_from[i], to = l->piece_to[i];
+        double first = 0;
+        for (size_t k = 0; k < regions; ++k) {
+            const bool is_present =
+                (l->span_from[k][i] <= from) & (l->span_to[k][i] >= to);
+            first =
+                murk_choose(is_present & (replaces[k] != 0), (double)k, first);
         }
-    }
-}
-
-/* The last region of the interval that replaces those before it. */
-MURK_LANE_KERNEL find_first(murk_photon_lanes *restrict l,
-                            const murk_lane_facts *facts, size_t n)
-{
-    MURK_FOR_LANES(n)
-    {
-        l->first_region[i] = 0;
-    }
-    for (size_t k = 0; k < facts->regions.n; ++k) {
-        const double replaces = murk_truth(facts->regions.region[k].replaces);
-        MURK_FOR_LANES(n)
-        {
-            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
-                                    (l->span_to[k][i] >= l->piece_to[i]);
-            const bool is_first = is_present & (replaces != 0);
-            l->first_region[i] =
-                murk_choose(is_first, (double)k, l->first_region[i]);
-        }
+        l->first_region[i] = first;
+        l->piece_extinction[i] = extinction_of(l, replaces, regions, i);
     }
 }
 
 /* Selects the region of the collision in proportion to extinction, from
- * find_first() on. */
-MURK_LANE_KERNEL select_region(murk_photon_lanes *restrict l,
-                               const murk_lane_facts *facts, size_t n)
+ * first_region on. */
+MURK_LANE_KERNEL select_region(murk_photon_lanes *restrict l, size_t regions,
+                               size_t n)
 {
     MURK_FOR_LANES(n)
     {
-        l->left[i] = uniform_of(l->word_medium[i]) * l->piece_extinction[i];
-        l->scattering_per_m[i] = 0;
-    }
-    /* The region at which the sum of extinctions exceeds the drawn share. */
-    for (size_t k = 0; k < facts->regions.n; ++k) {
-        const double number = (double)k;
-        MURK_FOR_LANES(n)
-        {
-            const bool is_present = (l->span_from[k][i] <= l->piece_from[i]) &
-                                    (l->span_to[k][i] >= l->piece_to[i]) &
-                                    (number >= l->first_region[i]) &
-                                    (l->region_extinction[k][i] > 0);
-            const bool is_chosen = is_present & (l->left[i] >= 0);
-            const double scattering = l->scattering_per_m[i];
-            l->scattering_per_m[i] =
-                murk_choose(is_present,
-                            scattering + l->region_extinction[k][i] *
-                                             l->region_albedo[k][i],
-                            scattering);
-            l->region[i] = murk_choose(is_chosen, number, l->region[i]);
-            l->albedo[i] =
-                murk_choose(is_chosen, l->region_albedo[k][i], l->albedo[i]);
-            l->g[i] = murk_choose(is_chosen, l->region_g[k][i], l->g[i]);
-            l->left[i] = murk_choose(
-                is_chosen, l->left[i] - l->region_extinction[k][i], l->left[i]);
+        const double from = l->piece_from[i], to = l->piece_to[i];
+        const double first = l->first_region[i];
+        double left = uniform_of(l->word_medium[i]) * l->piece_extinction[i];
+        double scattering = 0, region = l->region[i], albedo = l->albedo[i],
+               g = l->g[i];
+        /* The region at which the sum of extinctions exceeds the drawn share.
+         */
+        for (size_t k = 0; k < regions; ++k) {
+            const double number = (double)k;
+            const double extinction = l->region_extinction[k][i];
+            const double albedo_k = l->region_albedo[k][i];
+            const bool is_present = (l->span_from[k][i] <= from) &
+                                    (l->span_to[k][i] >= to) &
+                                    (number >= first) & (extinction > 0);
+            const bool is_chosen = is_present & (left >= 0);
+            scattering = murk_choose(
+                is_present, scattering + extinction * albedo_k, scattering);
+            region = murk_choose(is_chosen, number, region);
+            albedo = murk_choose(is_chosen, albedo_k, albedo);
+            g = murk_choose(is_chosen, l->region_g[k][i], g);
+            left = murk_choose(is_chosen, left - extinction, left);
         }
+        l->scattering_per_m[i] = scattering;
+        l->region[i] = region;
+        l->albedo[i] = albedo;
+        l->g[i] = g;
     }
 }
 
@@ -409,23 +402,16 @@ MURK_LANE_KERNEL cross_even(murk_photon_lanes *restrict l, size_t n)
     }
 }
 
-/* As murk_media_fly() in several regions: from end to end of the parts of the
- * ray in the regions, until the optical depth is reached. */
-MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
-                             const murk_lane_facts *facts, size_t n)
+/* From end to end of the parts of the ray in the regions, until the optical
+ * depth is reached. The compiler knows the number of regions and unrolls the
+ * loops over them inside of loops over lanes; it may exceed that of the scene,
+ * because empty parts of rays and extinctions of 0 change nothing. */
+MURK_LANE_KERNEL fly_pieces(murk_photon_lanes *restrict l,
+                            const murk_lane_facts *facts, size_t regions,
+                            size_t n)
 {
-    for (size_t k = 0; k < facts->regions.n; ++k) {
-        clip(l, facts, k, n);
-    }
-    if (facts->regions.n == 1) {
-        if (facts->grid) {
-            fly_grid(l, facts, n);
-        } else {
-            fly_region(l, n);
-        }
-        select_only_region(l, n);
-        return;
-    }
+    double replaces[MURK_LANE_REGIONS_MAX];
+    note_replacing(replaces, &facts->regions);
     MURK_FOR_LANES(n)
     {
         l->piece_from[i] = 0;
@@ -435,10 +421,8 @@ MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
     }
     uint64_t flying = 1; /* not 0 if some lane flies on */
     for (size_t step = 0; flying != 0 && step <= 2 * facts->regions.n; ++step) {
-        find_piece(l, facts->regions.n, n);
-        add_extinctions(l, facts, n);
+        find_piece(l, replaces, regions, n);
         if (facts->grid) {
-            find_first(l, facts, n);
             walk_grid(l, facts, n);
         }
         cross_even(l, n);
@@ -456,12 +440,34 @@ MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
     if (facts->grid) {
         MURK_FOR_LANES(n)
         {
-            l->piece_extinction[i] = 0;
+            l->piece_extinction[i] = extinction_of(l, replaces, regions, i);
         }
-        add_extinctions(l, facts, n);
     }
-    find_first(l, facts, n);
-    select_region(l, facts, n);
+    select_region(l, regions, n);
+}
+
+/* As murk_media_fly() in several regions. */
+MURK_LANE_KERNEL fly_regions(murk_photon_lanes *restrict l,
+                             const murk_lane_facts *facts, size_t n)
+{
+    const size_t regions = facts->regions.n;
+    for (size_t k = 0; k < regions; ++k) {
+        clip(l, facts, k, n);
+    }
+    if (regions == 1) {
+        if (facts->grid) {
+            fly_grid(l, facts, n);
+        } else {
+            fly_region(l, n);
+        }
+        select_only_region(l, n);
+    } else if (regions == 2) {
+        fly_pieces(l, facts, 2, n);
+    } else if (regions <= 4) {
+        fly_pieces(l, facts, 4, n);
+    } else {
+        fly_pieces(l, facts, MURK_LANE_REGIONS_MAX, n);
+    }
 }
 
 /* The azimuths of photons that roulette has decided on: what the roulette has

@@ -265,6 +265,7 @@ static void test_media(void)
     murk_region many[9];
     for (size_t k = 0; k < 9; ++k) {
         many[k] = test_ball_region(k % 3, murk_vec(2, 2, (double)k / 2), 1);
+        many[k].replaces = k == 3 || k == 6;
     }
     /* One region or several; one lamp or two. */
     const struct {
@@ -275,8 +276,10 @@ static void test_media(void)
                   {"a box around the domain", &around, 1},
                   {"a box in the domain", &part, 1},
                   {"Rayleigh", &of_air, 1},
+                  {"two", &replaced[1], 2},
                   {"several", several, 3},
                   {"replaced", replaced, 3},
+                  {"as many as fit", many, 8},
                   {"more regions than fit", many, 9}};
     for (size_t i = 0; i < sizeof worlds / sizeof *worlds; ++i) {
         const test_setup setup = {.domain = domain,
