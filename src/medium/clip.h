@@ -4,6 +4,7 @@
 #ifndef MURK_MEDIUM_CLIP_H
 #define MURK_MEDIUM_CLIP_H
 
+#include "base/lanes.h"
 #include "base/vector.h"
 
 /* Clips to the part at which one coordinate is between low and high. If the ray
@@ -44,7 +45,9 @@ static inline void murk_clip_sphere(murk_vec3 center, double radius,
     const double nearest = murk_dot(murk_sub(center, o), d) / square;
     const murk_vec3 off = murk_sub(murk_along(o, nearest, d), center);
     const double left = radius * radius - murk_dot(off, off);
-    const double half = sqrt((left > 0 ? left : 0) / square);
+    /* By bits: the compiler would divide and take the root twice, once for 0.
+     */
+    const double half = sqrt(murk_choose(left > 0, left, 0) / square);
     const double enter = nearest - half, leave = nearest + half;
     const double to = *t1 < leave ? *t1 : leave;
     *t0 = *t0 > enter ? *t0 : enter;
