@@ -74,7 +74,7 @@ static const struct {
     {"predict", false},      {"command", false}, {"photon", false},
     {"picture", false},      {"pixels", false},  {"cut_m", false},
     {"ranks", false},        {"camera", false},  {"from_sensor", false},
-    {"false_colour", false}, {"width_m", false}};
+    {"false_colour", false}, {"width_m", false}, {"next", false}};
 
 /* Returns the part of a place behind MURK_SET_MARK ("set "), or behind the name
  * of a setting and a blank if the setting is a list: a text that begins with a
