@@ -61,15 +61,18 @@ static void score_one(const murk_lattice *lattice,
     murk_lane_lists_open(lists, i, path);
 }
 
-/* Vectors of 2, 4 and 8 numbers, and masks, of which all bits of an element are
- * equal. */
+/* Vectors of 2, 4 and 8 numbers, masks, of which all bits of an element are
+ * equal, and words, whose sums may overflow. */
 typedef double vector_baseline __attribute__((vector_size(16)));
 typedef int64_t mask_baseline __attribute__((vector_size(16)));
+typedef uint64_t words_baseline __attribute__((vector_size(16)));
 #if defined(__x86_64__)
 typedef double vector_avx2 __attribute__((vector_size(32)));
 typedef int64_t mask_avx2 __attribute__((vector_size(32)));
+typedef uint64_t words_avx2 __attribute__((vector_size(32)));
 typedef double vector_avx512 __attribute__((vector_size(64)));
 typedef int64_t mask_avx512 __attribute__((vector_size(64)));
+typedef uint64_t words_avx512 __attribute__((vector_size(64)));
 #endif
 
 /* The entries at base + at[0], base + at[2], ... in one register. */
@@ -126,7 +129,7 @@ MURK_TARGET_AVX512 static inline vector_avx512 loaded_avx512(const char *base,
 #define NOT_LESS        MASK_NOT_LESS
 #define DIFFER          MASK_DIFFER
 #define LESS_WHOLE      MASK_LESS
-#define PRODUCT(a, b)   ((a) * (b))
+#define PRODUCT(a, b)   ((MASK)((WORDS)(a) * (WORDS)(b)))
 #define EQUAL_WHOLE     MASK_EQUAL_WHOLE
 #define BOTH            MASK_BOTH
 #define BUT             MASK_BUT

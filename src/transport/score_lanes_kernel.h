@@ -38,6 +38,7 @@
 
 #define VECTOR NAMED(vector)
 #define MASK   NAMED(mask)
+#define WORDS  NAMED(words)
 #define AXIS   NAMED(axis)
 #define KERNEL TARGET static inline __attribute__((always_inline)) void
 
@@ -273,7 +274,7 @@ KERNEL NAMED(add_half)(murk_tally_bin *low, murk_tally_bin *high,
                        const uint64_t *at, MASK values)
 {
     const MASK before = (MASK)LOADED((const char *)low, (const int64_t *)at);
-    const MASK after = before + values;
+    const MASK after = (MASK)((WORDS)before + (WORDS)values);
     for (size_t i = 0; i < WIDTH; i += 2) {
         memcpy((char *)low + at[i], (const int64_t *)&after + i, sizeof *low);
     }
@@ -340,6 +341,7 @@ TARGET static void NAMED(add)(murk_tally_bin *low, murk_tally_bin *high,
 #undef ANY
 #undef VECTOR
 #undef MASK
+#undef WORDS
 #undef AXIS
 #undef KERNEL
 
