@@ -20,7 +20,7 @@ static murk_status work(void *of, murk_session *session,
     (void)late;
     request *asked = of;
     murk_overview overview = {0};
-    murk_status status = murk_save_identify(session, "check", save, err);
+    murk_status status = murk_save_identify(session, "check", save, "", err);
     if (!status) {
         status = murk_overview_make(&overview, session, &asked->picture,
                                     asked->ranks, err);

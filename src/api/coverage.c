@@ -160,7 +160,7 @@ static murk_status save(void *of, murk_session *session,
     /* Judge the folder and the options. */
     murk_status status = murk_save_check(session, "sense", 0, err);
     if (!status) {
-        status = murk_save_identify(session, "sense", options, err);
+        status = murk_save_identify(session, "sense", options, "", err);
     }
     /* Add the files; coverage.json comes last. */
     if (!status && sight && session->results.folder) {

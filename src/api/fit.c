@@ -14,6 +14,7 @@
 #include "world/stage_build.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -438,6 +439,18 @@ murk_status murk_fit_check_save(murk_fit *f, const char *folder,
     return murk_call_end(&call, status);
 }
 
+/* The identity of a fit. Of a mapping the option names the mapping file alone,
+ * so the checksum of both files is added. */
+static murk_status identify(murk_session *session, const murk_readings *m,
+                            const murk_save_options *options, murk_error *err)
+{
+    char of[80] = "";
+    if (m->is_mapped) {
+        snprintf(of, sizeof of, "data %s\n", m->sha256);
+    }
+    return murk_save_identify(session, "fit", options, of, err);
+}
+
 static murk_status save(void *of, murk_session *session,
                         const murk_save_options *options, murk_error *late,
                         murk_error *err)
@@ -447,7 +460,7 @@ static murk_status save(void *of, murk_session *session,
     const murk_fit_facts facts = facts_of(f);
     murk_status status = check(f, session, err);
     if (!status) {
-        status = murk_save_identify(session, "fit", options, err);
+        status = identify(session, f->measured, options, err);
     }
     if (!status) {
         status = murk_session_add_scene(session, err);

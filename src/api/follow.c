@@ -760,7 +760,7 @@ static murk_status save(void *of, murk_session *session,
     note_longer(follow);
     murk_status status = begin_files(session, err);
     if (!status) {
-        status = murk_save_identify(session, "follow", options, err);
+        status = murk_save_identify(session, "follow", options, "", err);
     }
     if (!status) {
         status = murk_results_add_csv(

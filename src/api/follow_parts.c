@@ -205,7 +205,7 @@ static murk_status expect(char identity[65], char scene_sum[65],
         status = murk_scene_describe(&session.scene, scene, err);
     }
     if (!status) {
-        status = murk_save_identify(&session, "place", &follow->save, err);
+        status = murk_save_identify(&session, "place", &follow->save, "", err);
     }
     if (!status) {
         memcpy(identity, session.identity, sizeof session.identity);

@@ -164,7 +164,7 @@ bool murk_follow_take_earlier(const murk_follow *follow, const char *folder,
     const char *cut = cJSON_GetStringValue(at(plan, "placement", "cut_by"));
     const bool is_it =
         path && identity && ledger &&
-        !murk_save_identify(&session, "place", &follow->save, NULL) &&
+        !murk_save_identify(&session, "place", &follow->save, "", NULL) &&
         strcmp(identity, session.identity) == 0 &&
         !(cut && strcmp(cut, "interrupt") == 0) &&
         has_light(follow, folder, step->number, plan) &&

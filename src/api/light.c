@@ -301,7 +301,7 @@ static murk_status save(void *of, murk_session *session,
     (void)of; /* all results are in the session */
     murk_status status = murk_save_check(session, "trace", 0, err);
     if (!status) {
-        status = murk_save_identify(session, "trace", options, err);
+        status = murk_save_identify(session, "trace", options, "", err);
     }
     if (!status) {
         status = murk_session_add_light(session, err);

@@ -233,7 +233,8 @@ static murk_status save(void *of, murk_session *session,
     murk_image_files files = {.exr = NULL};
     const murk_picture_results results = {session, &w->picture->rendering,
                                           &files};
-    murk_status status = murk_save_identify(session, "render", options, err);
+    murk_status status =
+        murk_save_identify(session, "render", options, "", err);
     if (!status) {
         status = write_images(&files, w, &all, err);
     }

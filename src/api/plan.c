@@ -460,7 +460,7 @@ static murk_status save(void *of, murk_session *session,
         status = murk_save_check(session, "place", plan->repeat.runs, err);
     }
     if (!status) {
-        status = murk_save_identify(session, "place", options, err);
+        status = murk_save_identify(session, "place", options, "", err);
     }
     if (!status) {
         /* Add the files; plan.json comes last. */

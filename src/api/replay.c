@@ -11,7 +11,8 @@ static murk_status work(void *of, murk_session *session,
     (void)late;
     const uint64_t *photon = of;
     cJSON *root = NULL;
-    murk_status status = murk_save_identify(session, "replay", options, err);
+    murk_status status =
+        murk_save_identify(session, "replay", options, "", err);
     if (!status) {
         status = murk_replay_json(&root, session->stage, *photon, err);
     }

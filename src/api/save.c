@@ -254,12 +254,12 @@ murk_status murk_world_check_save(murk_world *world, const char *command,
 /* ---- identity and fields ---- */
 
 murk_status murk_save_identify(murk_session *session, const char *command,
-                               const murk_save_options *options,
+                               const murk_save_options *options, const char *of,
                                murk_error *err)
 {
     const murk_save_options all = murk_save_known(options);
     return murk_identity_of(session->identity, command,
-                            all.asked ? all.asked : "", session->scene, "",
+                            all.asked ? all.asked : "", session->scene, of,
                             session->scene->seed, err);
 }
 

@@ -39,9 +39,10 @@ murk_status murk_save_without_exports(const murk_session *session,
 murk_status murk_save_check(murk_session *session, const char *command,
                             uint64_t runs, murk_error *err);
 
-/* Sets the identity of the results of a command on the scene of the session. */
+/* Sets the identity of the results of a command on the scene of the session.
+ * of: further input, as in murk_identity_of(). */
 murk_status murk_save_identify(murk_session *session, const char *command,
-                               const murk_save_options *options,
+                               const murk_save_options *options, const char *of,
                                murk_error *err);
 
 /* Refuses to save as murk_call_refuse() does, and leaves *fields NULL. */

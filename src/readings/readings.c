@@ -358,6 +358,7 @@ static murk_status from_mapping(murk_readings *m, const char *path,
         status = no_memory(path, err);
     }
     if (!status) {
+        m->is_mapped = true;
         memcpy(m->sha256, mapped.sha256, sizeof m->sha256);
         status = from_table(m, &mapped.table, scene, domain, err);
     }

@@ -32,6 +32,7 @@ typedef struct murk_readings {
                                           * other kinds the group is a label */
     char (*gain)[MURK_READING_NAME_SIZE]; /* [gains]; names of free factors */
     size_t gains;
+    bool is_mapped;   /* a mapping file made the readings */
     char sha256[65];  /* of the file; with a mapping, of both files */
     murk_arena arena; /* of all arrays but the path */
 } murk_readings;

@@ -157,9 +157,28 @@ def refusals(folder):
     folder.refused("a prediction has none", "--data", "data.csv", "--shard", "1/2", "-o", "part")
 
 
+def mapping(folder):
+    """Another file of measurements is another identity, with the same mapping."""
+    (folder.path / "map.yaml").write_text("murk_readings: 1\nfile: log.csv\nreadings: [{kind: extinction, x_m: 5, y_m: 1, "
+                                          "z_m: {column: cm, factor: 0.01}, value: {column: k}, standard_error: .1}]\n")
+    identities = set()
+    for height in (100, 100, 300):
+        (folder.path / "log.csv").write_text(f"cm,k\n{height},1\n")
+        got, _ = folder.predict("map.yaml", "mapped")
+        check(math.isclose(float(got[0]["predicted"]), .45 + (.2 if height == 100 else .1), rel_tol=1e-14), got)
+        identities.add(json.loads((folder.path / "mapped/predict.json").read_text())["identity"])
+    check(len(identities) == 2, identities)
+    before = (folder.path / "log.csv").read_bytes()
+    (folder.path / "fit.csv").write_bytes(before)
+    (folder.path / "own.yaml").write_text((folder.path / "map.yaml").read_text().replace("log.csv", "fit.csv"))
+    folder.refused("fit.csv", "--data", "own.yaml", "-o", ".", "--force")
+    check((folder.path / "fit.csv").read_bytes() == before, "the file of measurements is as it was")
+
+
 with tempfile.TemporaryDirectory() as name:
     folder = Folder(name)
     as_by_values(folder, order_and_values(folder))
     extinction_is_fitted(folder)
     refusals(folder)
+    mapping(folder)
 sys.exit(failures > 0)
