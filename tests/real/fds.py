@@ -72,18 +72,18 @@ lights:
 """
 
 
-def depths(folder, lines, time_s, mesh="all"):
-    """Optical depths along lines (six coordinates each)."""
+def readings(folder, lines, time_s, mesh="all", unit="optical_depth"):
+    """Transmittance along lines (six coordinates each), in a unit."""
     scene, data, out = (folder / name for name in ("scene.yaml", "lines.csv", "out"))
     scene.write_text(SCENE % (folder / "hfg_slice.smv", time_s, mesh))
     with open(data, "w") as to:
         print("kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error", file=to)
         for line in lines:
-            print("transmittance," + ",".join(repr(x) for x in line) + ",fraction,.5,.1", file=to)
+            print("transmittance," + ",".join(repr(x) for x in line) + f",{unit},.5,.1", file=to)
     done = subprocess.run([murk, "fit", scene, "--data", data, "-o", out, "--force", "--quiet"])
     check(done.returncode == 0, "lines are predicted")
     with open(out / "fit.csv") as table:
-        return [-math.log(float(row["predicted"])) for row in csv.DictReader(table)]
+        return [float(row["predicted"]) for row in csv.DictReader(table)]
 
 
 def compare_depths(folder):
@@ -93,10 +93,14 @@ def compare_depths(folder):
         own = [row for row in table if (row["mesh"], row["time_s"]) == (mesh, time_s)]
         lines = [[float(row[key]) for key in ("x0", "y0", "z0", "x1", "y1", "z1")] for row in own]
         for chosen in ("all", f"[{mesh}]"):
-            for row, got in zip(own, depths(folder, lines, time_s, chosen), strict=True):
+            for row, got in zip(own, readings(folder, lines, time_s, chosen), strict=True):
                 want = float(row["tau"])
                 largest = max(largest, abs(got - want) / max(want, 1e-3))
                 check(abs(got - want) <= 1e-6 * max(want, 1e-3), f"{row} is {got}")
+        # a beam detector of FDS: total obscuration, from the same cells
+        for row, got in zip(own, readings(folder, lines, time_s, f"[{mesh}]", "obscuration_percent"), strict=True):
+            want = 100 * (1 - math.exp(-float(row["tau"])))
+            check(abs(got - want) <= 1e-5 * max(want, .1), f"{row} is obscured by {got}, FDS has {want}")
     return len(table), largest
 
 
@@ -106,10 +110,10 @@ def compare_joined(folder):
     for i in range(100):
         turn, height = 2.4 * i, .2 + .016 * i
         lines.append([-.95 + .01 * (i % 7), .9 * math.cos(turn), height, .95, .9 * math.sin(turn), height + .1])
-    whole = depths(folder, lines, 6.45626)
+    whole = readings(folder, lines, 6.45626)
     sums = [0.0] * len(lines)
     for mesh in (1, 2, 3, 4):
-        for i, tau in enumerate(depths(folder, lines, 6.45626, [mesh])):
+        for i, tau in enumerate(readings(folder, lines, 6.45626, [mesh])):
             sums[i] += tau
     for line, a, b in zip(lines, whole, sums, strict=True):
         check(abs(a - b) <= 1e-6 * max(b, 1e-3), f"{line}: {a}, the parts have {b}")
