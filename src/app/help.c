@@ -19,7 +19,7 @@ const char murk_help_about[] =
     "attenuation.";
 
 const char murk_help_messages[] =
-    "An error is one line on standard error: \"murk: FILE:LINE:COLUMN: KEY: "
+    "An error is one line: \"murk: FILE:LINE:COLUMN: KEY: "
     "found, allowed, unit\".";
 
 const char murk_help_files[] =
