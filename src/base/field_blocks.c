@@ -3,13 +3,24 @@
  * before use. */
 #include "base/field_blocks.h"
 
+#include <math.h>
 #include <stdlib.h>
+
+/* Edges in files are rounded to five or six digits: a share of a cell. */
+#define OVERLAP_MAX 1e-3
 
 uint64_t murk_field_values(const murk_field_size *size)
 {
     const uint64_t more = size->has_nodes ? 1 : 0;
     return (size->cells[0] + more) * (size->cells[1] + more) *
            (size->cells[2] + more);
+}
+
+bool murk_field_overlap(const double *a, size_t a_cells, const double *b,
+                        size_t b_cells)
+{
+    const double low = fmax(a[0], b[0]), high = fmin(a[a_cells], b[b_cells]);
+    return high - low > OVERLAP_MAX * fmin(a[1] - a[0], b[1] - b[0]);
 }
 
 static murk_field_size size_of(const murk_field_block *b)

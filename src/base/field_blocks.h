@@ -42,6 +42,11 @@ uint64_t murk_field_values(const murk_field_size *size);
 murk_status murk_field_send(murk_subprocess *to, const murk_field_head *head,
                             const murk_field_block *block, size_t n);
 
+/* True if the ranges of two rising lists of edges, of a cells and of b cells,
+ * have more in common than rounding of edges in files explains. */
+bool murk_field_overlap(const double *a, size_t a_cells, const double *b,
+                        size_t b_cells);
+
 /* Frees the arrays of n blocks and the blocks; NULL is fine. */
 void murk_field_blocks_destroy(murk_field_block *block, size_t n);
 

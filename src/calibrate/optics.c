@@ -24,7 +24,7 @@ static murk_status fill_media(murk_optics *o, murk_error *err)
     for (size_t i = 0; i < o->media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
         o->albedo[i] = m->albedo;
-        o->extinction_per_m[i] = m->profile_z_m.n > 0
+        o->extinction_per_m[i] = murk_scene_states_extinction(m)
                                      ? murk_spectrum_flat(1, scene->bands)
                                      : m->extinction_per_m;
     }

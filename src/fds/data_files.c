@@ -1,5 +1,5 @@
-/* Lists the data files of an FDS run by their names, without the .smv file,
- * which is read in a subprocess alone. */
+/* Lists the data files beside a .smv file by their endings. The .smv file
+ * itself is read in a subprocess alone. */
 #include "fds/data_files.h"
 
 #include "base/path.h"
@@ -8,12 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The length of a file's name without the ending; 0 if the ending is another.
- */
-static size_t stem_of(const char *name, const char *ending)
+static bool ends_with(const char *name, const char *ending)
 {
     const size_t n = strlen(name), m = strlen(ending);
-    return n > m && strcmp(name + n - m, ending) == 0 ? n - m : 0;
+    return n > m && strcmp(name + n - m, ending) == 0;
 }
 
 typedef struct list {
@@ -42,15 +40,14 @@ static int by_name(const void *a, const void *b)
     return strcmp(*p, *q);
 }
 
-/* Lists the names of the run's data files in a folder. */
-static bool list_names(list *to, DIR *folder, const char *run, size_t stem)
+/* Lists the names of data files in a folder. */
+static bool list_names(list *to, DIR *folder)
 {
     bool is_whole = true;
     for (const struct dirent *entry = readdir(folder); entry && is_whole;
          entry = readdir(folder)) {
         const char *name = entry->d_name;
-        const bool is_data = stem_of(name, ".s3d") || stem_of(name, ".sf");
-        if (is_data && strncmp(name, run, stem) == 0 && name[stem] == '_') {
+        if (ends_with(name, ".s3d") || ends_with(name, ".sf")) {
             is_whole = append(to, name);
         }
     }
@@ -61,12 +58,10 @@ bool murk_fds_data_files(const char *path,
                          bool (*add)(void *context, const char *file),
                          void *context)
 {
-    const char *run = murk_path_name(path);
-    const size_t stem = stem_of(run, ".smv");
     char *here = murk_path_beside(path, ".");
-    DIR *folder = here && stem ? opendir(here) : NULL;
+    DIR *folder = here ? opendir(here) : NULL;
     list names = {0};
-    bool is_whole = here && (!folder || list_names(&names, folder, run, stem));
+    bool is_whole = here && (!folder || list_names(&names, folder));
     if (folder) {
         closedir(folder);
     }

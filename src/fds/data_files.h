@@ -5,11 +5,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Calls add() with the path of each file beside the .smv file `path` that FDS
- * named for the run and that may hold smoke: NAME_*.s3d and NAME_*.sf for
- * NAME.smv, in the order of their names. A folder that cannot be read
- * has none. Stops and returns false if add() returns false or there is no
- * memory. */
+/* Calls add() with the path of each file beside the .smv file `path` that may
+ * hold smoke, *.s3d and *.sf, in the order of their names: the .smv file names
+ * those of the run, and is not read here. A folder that cannot be read has
+ * none. Stops and returns false if add() returns false or there is no memory.
+ */
 bool murk_fds_data_files(const char *path,
                          bool (*add)(void *context, const char *file),
                          void *context);

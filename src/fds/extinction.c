@@ -5,6 +5,7 @@
 #include "base/path.h"
 #include "fds/frames.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,9 +20,8 @@
  * seven digits. */
 #define SAME_TIME 1e-6
 
-/* Meshes may overlap by this share of a cell: grid lines in .smv files are
- * rounded. */
-#define OVERLAP_MAX 1e-3
+/* Values below 0 by this share of the largest, or of 1 /m, are rounding. */
+#define NEGATIVE_MAX 1e-3
 
 const char *const murk_fds_quantity_names[3] = {"soot density", "extinction",
                                                 "visibility"};
@@ -173,24 +173,34 @@ static void convert_bytes(const reading *r, float *value, uint64_t n,
     }
 }
 
-/* Converts the numbers of a slice; false if one of them has no meaning. */
-static bool convert_slice(reading *r, float *value, uint64_t n)
+/* Converts the numbers of a slice. FDS's mass fractions may be slightly below
+ * 0; fails if a value is so by more than rounding, or has no meaning. */
+static murk_status convert_slice(const reading *r, const murk_fds_frames *f,
+                                 float *value)
 {
     const double mass_extinction = r->field->mass_extinction;
-    bool is_good = true;
-    for (uint64_t i = 0; i < n; ++i) {
+    double low = 0, high = 0;
+    bool are_finite = true;
+    /* Each value by its formula, and the range of all. */
+    for (uint64_t i = 0; i < f->values; ++i) {
         const double v = (double)value[i];
-        double k = v;
-        if (r->asked->quantity == MURK_FDS_SOOT_DENSITY) {
-            k = mass_extinction * v;
-        } else if (r->asked->quantity == MURK_FDS_VISIBILITY) {
-            k = VISIBILITY_C / v;
-        }
-        /* FDS's mass fractions may be below 0 by rounding. */
-        is_good = is_good && isfinite(k) && k > -1e-6;
+        const double k =
+            r->asked->quantity == MURK_FDS_SOOT_DENSITY ? mass_extinction * v
+            : r->asked->quantity == MURK_FDS_VISIBILITY ? VISIBILITY_C / v
+                                                        : v;
+        are_finite = are_finite && fabs(k) <= FLT_MAX;
+        low = fmin(low, k);
+        high = fmax(high, k);
         value[i] = (float)fmax(k, 0);
     }
-    return is_good;
+    if (!are_finite || low < -NEGATIVE_MAX * fmax(high, 1)) {
+        return murk_fail(r->err, MURK_BAD_FILE, f->where,
+                         "has extinctions from %g to %g /m by its %s, must be "
+                         "finite and 0 or more",
+                         low, high,
+                         murk_fds_quantity_names[r->asked->quantity]);
+    }
+    return MURK_OK;
 }
 
 /* Counts the cells with the largest visibility, at which FDS cuts. */
@@ -221,11 +231,7 @@ static murk_status read_frame(reading *r, murk_fds_frames *f, size_t frame,
     if (r->asked->quantity == MURK_FDS_VISIBILITY) {
         count_largest(r, value, f->values);
     }
-    return convert_slice(r, value, f->values)
-               ? MURK_OK
-               : murk_fail(r->err, MURK_BAD_FILE, f->where,
-                           "has a value without meaning as %s",
-                           murk_fds_quantity_names[r->asked->quantity]);
+    return convert_slice(r, f, value);
 }
 
 /* Values of cells in a file have a first layer along each axis that means
@@ -286,13 +292,6 @@ static murk_status take_edges(const reading *r, const murk_fds_mesh *mesh,
     for (int axis = 0; axis < 3; ++axis) {
         const size_t low = (size_t)f->nodes[2 * axis],
                      high = (size_t)f->nodes[2 * axis + 1];
-        if (high > mesh->cells[axis] || low == high) {
-            return murk_fail(r->err, MURK_BAD_FILE, f->where,
-                             "has nodes %zu to %zu along %c, must be 0 to %zu "
-                             "as mesh %s",
-                             low, high, 'x' + axis, mesh->cells[axis],
-                             mesh->name);
-        }
         block->cells[axis] = high - low;
         const size_t bytes = (high - low + 1) * sizeof(double);
         block->edge[axis] = malloc(bytes);
@@ -300,6 +299,27 @@ static murk_status take_edges(const reading *r, const murk_fds_mesh *mesh,
             return murk_no_memory(r->err, f->where, "for its grid lines");
         }
         memcpy(block->edge[axis], &mesh->edge[axis][low], bytes);
+    }
+    return MURK_OK;
+}
+
+/* Fails unless the file has the nodes that the .smv file says. */
+static murk_status check_nodes(const reading *r, const murk_fds_data *data,
+                               const murk_fds_mesh *mesh,
+                               const murk_fds_frames *f)
+{
+    const bool is_whole = data->kind == MURK_FDS_SMOKE3D;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int32_t low = is_whole ? 0 : data->nodes.low[axis],
+                      high = is_whole ? (int32_t)mesh->cells[axis]
+                                      : data->nodes.high[axis];
+        if (f->nodes[2 * axis] != low || f->nodes[2 * axis + 1] != high) {
+            return murk_fail(r->err, MURK_BAD_FILE, f->where,
+                             "has nodes %d to %d along %c, must be %d to %d as "
+                             "in the .smv file",
+                             f->nodes[2 * axis], f->nodes[2 * axis + 1],
+                             'x' + axis, low, high);
+        }
     }
     return MURK_OK;
 }
@@ -324,6 +344,9 @@ static murk_status read_block(reading *r, size_t number,
     murk_status status = murk_fds_frames_open(
         &frames, path, data->kind == MURK_FDS_SMOKE3D, place, r->err);
     if (!status) {
+        status = check_nodes(r, data, mesh, &frames);
+    }
+    if (!status) {
         status = take_edges(r, mesh, &frames, block);
     }
     if (!status) {
@@ -339,16 +362,6 @@ static murk_status read_block(reading *r, size_t number,
     return status;
 }
 
-/* True if two meshes overlap along an axis by more than rounding. */
-static bool do_overlap(const murk_field_block *a, const murk_field_block *b,
-                       int axis)
-{
-    const double *p = a->edge[axis], *q = b->edge[axis];
-    const double low = fmax(p[0], q[0]);
-    const double high = fmin(p[a->cells[axis]], q[b->cells[axis]]);
-    return high - low > OVERLAP_MAX * fmin(p[1] - p[0], q[1] - q[0]);
-}
-
 /* Fails if two of the meshes overlap: it is not said which of them counts. */
 static murk_status check_overlap(const reading *r, const size_t *number)
 {
@@ -357,8 +370,10 @@ static murk_status check_overlap(const reading *r, const size_t *number)
         for (size_t k = 0; k < i; ++k) {
             bool overlap = true;
             for (int axis = 0; axis < 3; ++axis) {
-                overlap =
-                    overlap && do_overlap(&f->block[i], &f->block[k], axis);
+                overlap = overlap &&
+                          murk_field_overlap(
+                              f->block[i].edge[axis], f->block[i].cells[axis],
+                              f->block[k].edge[axis], f->block[k].cells[axis]);
             }
             if (overlap) {
                 return murk_fail(r->err, MURK_BAD_VALUE, r->where,

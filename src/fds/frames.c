@@ -32,10 +32,18 @@ static bool read_length(murk_fds_frames *f, uint32_t *out)
 {
     uint32_t word;
     if (fread(&word, sizeof word, 1, f->file) != 1) {
+        f->is_cut = true;
         return false;
     }
     *out = f->is_swapped ? swapped(word) : word;
     return true;
+}
+
+static bool read_exactly(murk_fds_frames *f, void *out, size_t words)
+{
+    const bool is_read = fread(out, 4, words, f->file) == words;
+    f->is_cut = f->is_cut || !is_read;
+    return is_read;
 }
 
 /* Reads a record of exactly n words of four bytes and brings them to the byte
@@ -44,7 +52,7 @@ static bool read_words(murk_fds_frames *f, void *out, size_t n)
 {
     uint32_t before, after;
     if (!read_length(f, &before) || before != 4 * n ||
-        fread(out, 4, n, f->file) != n || !read_length(f, &after) ||
+        !read_exactly(f, out, n) || !read_length(f, &after) ||
         after != before) {
         return false;
     }
@@ -61,7 +69,9 @@ static bool skip_record(murk_fds_frames *f, uint64_t file_bytes, uint32_t *size)
     uint32_t after;
     const bool has_length = read_length(f, size);
     const off_t at = ftello(f->file);
-    return has_length && at >= 0 && *size <= file_bytes - (uint64_t)at &&
+    f->is_cut = f->is_cut ||
+                (has_length && at >= 0 && *size > file_bytes - (uint64_t)at);
+    return has_length && !f->is_cut && at >= 0 &&
            fseeko(f->file, (off_t)*size, SEEK_CUR) == 0 &&
            read_length(f, &after) && after == *size;
 }
@@ -160,6 +170,9 @@ static murk_status find_frames(murk_fds_frames *f, uint64_t file_bytes,
     while (f->n < FRAMES_MAX && read_words(f, &time_s, 1)) {
         const off_t at = ftello(f->file);
         if (at < 0 || !skip_frame(f, file_bytes)) {
+            if (!f->is_cut) {
+                return bad(f, "has a frame that is malformed", err);
+            }
             break;
         }
         if (!isfinite(time_s) || (f->n > 0 && time_s <= f->time_s[f->n - 1])) {

@@ -19,6 +19,7 @@ typedef struct murk_fds_frames {
     FILE *file;
     bool is_smoke3d;
     bool is_swapped;   /* the other byte order */
+    bool is_cut;       /* the end of the file was met within a record */
     int32_t nodes[6];  /* lowest and highest along x, y and z */
     uint64_t values;   /* of a frame */
     size_t n;          /* frames */

@@ -452,6 +452,9 @@ static murk_status read_section(reader *r)
     if (IS("VENT")) {
         return read_vents(r);
     }
+    if (IS("SURFDEF")) {
+        return need_name(r, r->run->usual, sizeof r->run->usual);
+    }
     if (IS("SURFACE")) {
         return read_surface(r);
     }
@@ -525,6 +528,11 @@ static murk_status check_run(const reader *r)
     murk_status status =
         run->meshes > 0 ? MURK_OK
                         : bad(r, "has no GRID: is no .smv file of FDS", NULL);
+    for (size_t i = 0; i < run->surfaces; ++i) {
+        if (strcmp(run->surface[i], run->usual) == 0) {
+            r->run->usual_surface = (uint32_t)i;
+        }
+    }
     if (!status && run->surfaces == 0) {
         status = bad(r, "has no SURFACE", NULL);
     }

@@ -73,6 +73,9 @@ typedef struct murk_fds_run {
     size_t meshes, surfaces, events, files;
     murk_fds_mesh *mesh;
     char (*surface)[MURK_FDS_NAME_SIZE];
+    char usual[MURK_FDS_NAME_SIZE]; /* SURFDEF: the surface of outer walls where
+                                     * no vent gives another one */
+    uint32_t usual_surface;         /* its index; 0 if there is no such */
     murk_fds_event *event;
     murk_fds_data *data; /* [files] */
 } murk_fds_run;

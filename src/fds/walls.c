@@ -14,6 +14,9 @@
 /* A point this share of a cell beyond a face lies in the cell beyond. */
 #define BEYOND 1e-3
 
+/* Areas of faces that are equal but for the rounding of grid lines. */
+#define SAME_AREA 1e-3
+
 typedef struct finder {
     const murk_fds_run *run;
     double time_s;
@@ -96,25 +99,43 @@ static bool mark_cells(finder *f)
     return has_memory;
 }
 
-/* What is at a point: GAS, OUTSIDE of all meshes, or another number if a cell
- * there is solid. */
-static uint32_t state_at(const finder *f, const double p[3])
+/* What is at a place: GAS, OUTSIDE of all meshes, or another number if a cell
+ * there is solid; and the cell, if there is one. */
+typedef struct place_state {
+    uint32_t owner;
+    size_t mesh, cell[3];
+} place_state;
+
+static place_state state_at(const finder *f, const double p[3])
 {
     for (size_t i = 0; i < f->run->meshes; ++i) {
         const murk_fds_mesh *mesh = &f->run->mesh[i];
-        size_t cell[3];
+        place_state out = {.mesh = i};
         bool holds = true;
         for (int axis = 0; axis < 3; ++axis) {
             const double *edge = mesh->edge[axis];
             const size_t n = mesh->cells[axis];
             holds = holds && p[axis] >= edge[0] && p[axis] < edge[n];
-            cell[axis] = murk_interval_of(edge, 1, n + 1, p[axis]);
+            out.cell[axis] = murk_interval_of(edge, 1, n + 1, p[axis]);
         }
         if (holds) {
-            return f->owner[i][cell_at(mesh, cell)];
+            out.owner = f->owner[i][cell_at(mesh, out.cell)];
+            return out;
         }
     }
-    return OUTSIDE;
+    return (place_state){.owner = OUTSIDE};
+}
+
+/* The area of a cell of a mesh across an axis. */
+static double face_area(const murk_fds_mesh *mesh, const size_t cell[3],
+                        int axis)
+{
+    double area = 1;
+    for (int i = 0; i < 3; ++i) {
+        const double *edge = &mesh->edge[i][cell[i]];
+        area *= i == axis ? 1 : edge[1] - edge[0];
+    }
+    return area;
 }
 
 /* ---- one plane of faces ---- */
@@ -135,14 +156,15 @@ typedef struct plane {
 } plane;
 
 /* The state of the cell before (side 0) or behind (1) a face. */
-static uint32_t state_beside(const finder *f, const plane *p,
-                             const size_t at[3], int side)
+static place_state state_beside(const finder *f, const plane *p,
+                                const size_t at[3], int side)
 {
     const murk_fds_mesh *mesh = &f->run->mesh[p->mesh];
-    size_t cell[3] = {at[0], at[1], at[2]};
+    place_state out = {.mesh = p->mesh, .cell = {at[0], at[1], at[2]}};
     if (side == 0 ? at[p->axis] > 0 : at[p->axis] < mesh->cells[p->axis]) {
-        cell[p->axis] -= side == 0;
-        return f->owner[p->mesh][cell_at(mesh, cell)];
+        out.cell[p->axis] -= side == 0;
+        out.owner = f->owner[p->mesh][cell_at(mesh, out.cell)];
+        return out;
     }
     /* Beyond the mesh: a point behind the middle of the face. */
     double point[3];
@@ -159,30 +181,54 @@ static uint32_t state_beside(const finder *f, const plane *p,
     return state_at(f, point);
 }
 
+/* True if another mesh draws a face at the border of two meshes: the one of the
+ * smaller faces, or, of equal ones, that of the solid cell. */
+static bool is_of_other(const finder *f, const plane *p, const size_t at[3],
+                        const place_state *before, const place_state *behind)
+{
+    const bool is_first = at[p->axis] == 0;
+    const place_state *own = is_first ? behind : before,
+                      *other = is_first ? before : behind;
+    if (other->owner == OUTSIDE || other->mesh == p->mesh) {
+        return false;
+    }
+    const double mine = face_area(&f->run->mesh[p->mesh], own->cell, p->axis),
+                 theirs = face_area(&f->run->mesh[other->mesh], other->cell,
+                                    p->axis);
+    return theirs < mine * (1 - SAME_AREA) ||
+           (theirs <= mine * (1 + SAME_AREA) && own->owner == GAS);
+}
+
 /* The surface of a face, from 1 on; NO_WALL if light passes. */
 static uint32_t face_at(const finder *f, const plane *p, const size_t at[3],
                         unsigned char *kind)
 {
     const murk_fds_mesh *mesh = &f->run->mesh[p->mesh];
     const size_t n = mesh->cells[p->axis];
-    const uint32_t before = state_beside(f, p, at, 0),
-                   behind = state_beside(f, p, at, 1);
+    const place_state before = state_beside(f, p, at, 0),
+                      behind = state_beside(f, p, at, 1);
     const bool is_outer =
-        (at[p->axis] == 0 && before == OUTSIDE && behind == GAS) ||
-        (at[p->axis] == n && behind == OUTSIDE && before == GAS);
-    *kind = is_outer ? OUTER : before == GAS && behind == GAS ? FREE : AT_SOLID;
+        (at[p->axis] == 0 && before.owner == OUTSIDE && behind.owner == GAS) ||
+        (at[p->axis] == n && behind.owner == OUTSIDE && before.owner == GAS);
+    *kind = is_outer                                     ? OUTER
+            : before.owner == GAS && behind.owner == GAS ? FREE
+                                                         : AT_SOLID;
     if (is_outer) {
-        return 1; /* the first surface: vents may give another one */
+        return 1 + f->run->usual_surface; /* vents may give another one */
     }
-    /* A solid cell of this mesh beside one that is not. */
-    const bool is_before = at[p->axis] > 0 && before != GAS && behind == GAS;
-    const bool is_behind = at[p->axis] < n && behind != GAS && before == GAS;
-    if (!is_before && !is_behind) {
+    const bool is_before = before.owner != GAS && behind.owner == GAS;
+    const bool is_behind = behind.owner != GAS && before.owner == GAS;
+    if ((!is_before && !is_behind) || is_of_other(f, p, at, &before, &behind)) {
         return NO_WALL;
     }
-    const uint32_t item = is_before ? before - 1 : behind - 1;
-    return 1 +
-           mesh->obstruction[item].surface[2 * p->axis + (is_before ? 1 : 0)];
+    /* The face of the obstruction that makes the cell solid. */
+    const place_state *solid = is_before ? &before : &behind;
+    if (solid->owner == OUTSIDE) {
+        return NO_WALL;
+    }
+    return 1 + f->run->mesh[solid->mesh]
+                   .obstruction[solid->owner - 1]
+                   .surface[2 * p->axis + (is_before ? 1 : 0)];
 }
 
 /* True if an item without thickness lies in the plane; then low[] and high[]
@@ -196,6 +242,37 @@ static bool covers(const plane *p, const murk_fds_nodes *nodes, size_t low[2],
     high[1] = (size_t)nodes->high[p->v];
     return nodes->low[p->axis] == nodes->high[p->axis] &&
            (size_t)nodes->low[p->axis] == p->at;
+}
+
+/* True if the plane is the last of its mesh and another mesh, which begins
+ * behind the cell (u, v), has a plate in its own first plane: FDS lists a plate
+ * on the border of two meshes in both. */
+static bool has_next_plate(const finder *f, const plane *p, size_t u, size_t v)
+{
+    const murk_fds_mesh *mesh = &f->run->mesh[p->mesh];
+    if (p->at < mesh->cells[p->axis]) {
+        return false;
+    }
+    size_t at[3];
+    at[p->axis] = p->at;
+    at[p->u] = u;
+    at[p->v] = v;
+    const place_state behind = state_beside(f, p, at, 1);
+    if (behind.owner == OUTSIDE) {
+        return false;
+    }
+    /* Plates of the other mesh that cover the cell. */
+    const murk_fds_mesh *next = &f->run->mesh[behind.mesh];
+    bool found = false;
+    for (size_t i = 0; i < next->obstructions && !found; ++i) {
+        const murk_fds_nodes *n = &next->obstruction[i].nodes;
+        found = is_there(f, behind.mesh, i, false) && n->high[p->axis] == 0 &&
+                (size_t)n->low[p->u] <= behind.cell[p->u] &&
+                (size_t)n->high[p->u] > behind.cell[p->u] &&
+                (size_t)n->low[p->v] <= behind.cell[p->v] &&
+                (size_t)n->high[p->v] > behind.cell[p->v];
+    }
+    return found;
 }
 
 /* True if light passes an outer wall of this surface. */
@@ -222,7 +299,8 @@ static void cover(const finder *f, const plane *p)
         for (size_t v = low[1]; v < high[1]; ++v) {
             for (size_t u = low[0]; u < high[0]; ++u) {
                 uint32_t *face = &p->face[v * row + u];
-                const bool is_seen = p->kind[v * row + u] != AT_SOLID;
+                const bool is_seen = p->kind[v * row + u] != AT_SOLID &&
+                                     !has_next_plate(f, p, u, v);
                 *face = is_seen ? 1 + item->surface[2 * p->axis + 1] : *face;
                 p->kind[v * row + u] = AT_SOLID;
             }

@@ -5,7 +5,8 @@
  * surfaces here are the faces between cells that are solid and cells that are
  * not, joined to rectangles. Where obstructions overlap, the last one counts.
  * An obstruction without thickness is a plate, which has one face. A face
- * between two meshes is drawn by the mesh whose cell is solid. A vent gives the
+ * between two meshes is drawn once, on the finer of both. Outer walls have the
+ * surface that SURFDEF names. A vent gives the
  * faces that it covers its own surface. Outer walls covered by a vent that is
  * open, a mirror or periodic are left out: light may pass there. */
 #ifndef MURK_FDS_WALLS_H

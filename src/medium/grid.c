@@ -36,6 +36,9 @@
 #define MIN_BYTES           UINT64_C(400000000)
 #define BYTES_PER_FILE_BYTE 200
 
+/* Bytes of values for a byte of a compressed file of fields: a choice. */
+#define COMPRESSION 16
+
 #define ALIGNMENT \
     64 /* of buffers, in bytes; NanoVDB requires a multiple of 32 */
 
@@ -582,8 +585,9 @@ murk_status murk_grid_read_field(murk_grid **out,
                                  murk_error *err)
 {
     struct stat facts;
+    /* Files may be compressed. */
     const murk_subprocess_limits limits = murk_subprocess_limits_for(
-        stat(path, &facts) == 0 ? (uint64_t)facts.st_size : 0);
+        stat(path, &facts) == 0 ? COMPRESSION * (uint64_t)facts.st_size : 0);
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =

@@ -48,7 +48,8 @@ static void warn(const murk_fds_field *f, char *out, size_t size)
                  "%llu values are opaque in the .s3d files: the extinction "
                  "there is at least %.4g /m, which is taken",
                  (unsigned long long)f->capped, f->capped_per_m);
-    } else if (!f->is_rounded && f->quantity == MURK_FDS_VISIBILITY) {
+    } else if (f->capped > 1 && f->quantity == MURK_FDS_VISIBILITY) {
+        /* Only a limit gives several values the same largest visibility. */
         snprintf(out, size,
                  "%llu values have the largest visibility, at which FDS cuts: "
                  "the extinction there is at most %.4g /m, which is taken",

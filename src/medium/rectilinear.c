@@ -8,10 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Blocks may overlap by this share of the smaller of two cells: edges in files
- * are rounded to five or six digits. */
-#define OVERLAP_MAX 1e-3
-
 /* Cells along an edge of the boxes in which differences are listed. */
 #define CHANGED_EDGE 8
 
@@ -115,16 +111,15 @@ static bool measure_values(murk_rectilinear *field)
     return are_good;
 }
 
-/* True if two blocks overlap by more than the rounding of edges. */
-static bool do_overlap(const murk_rectilinear *field,
-                       const murk_rectilinear_block *a,
+static bool do_overlap(const murk_rectilinear_block *a,
                        const murk_rectilinear_block *b)
 {
-    const double *s = field->smallest;
-    const murk_vec3 slack = murk_scale(OVERLAP_MAX, murk_vec(s[0], s[1], s[2]));
-    const murk_box both = murk_box_meet(a->box, b->box);
-    const murk_vec3 extent = murk_sub(both.max, both.min);
-    return extent.x > slack.x && extent.y > slack.y && extent.z > slack.z;
+    bool overlap = true;
+    for (int axis = 0; axis < 3 && overlap; ++axis) {
+        overlap = murk_field_overlap(a->edge[axis], a->cells[axis],
+                                     b->edge[axis], b->cells[axis]);
+    }
+    return overlap;
 }
 
 static bool have_overlap(const murk_rectilinear *field)
@@ -132,7 +127,7 @@ static bool have_overlap(const murk_rectilinear *field)
     bool found = false;
     for (size_t i = 0; i < field->n && !found; ++i) {
         for (size_t k = 0; k < i && !found; ++k) {
-            found = do_overlap(field, &field->block[i], &field->block[k]);
+            found = do_overlap(&field->block[i], &field->block[k]);
         }
     }
     return found;

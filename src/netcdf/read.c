@@ -17,6 +17,9 @@
 #define AXIS_MAX   ((1 << 20) - 1)
 #define VALUES_MAX ((size_t)1 << 31)
 
+#define MISSING_MAX \
+    16 /* a choice: values of missing_value that are looked at */
+
 enum { X, Y, Z, TIME, AXES };
 
 typedef struct axis {
@@ -166,6 +169,85 @@ static murk_status find_variable(const reader *r, const char *name,
     return no_variable(r, standard);
 }
 
+/* ---- numbers ---- */
+
+/* How the numbers of a variable are stored. */
+typedef struct packing {
+    double scale, offset;
+    double
+        fill; /* NAN: none; the default of the type, if the file has no other */
+    double low, high; /* valid values, before they are unpacked */
+    double missing[MISSING_MAX];
+    size_t n_missing;
+} packing;
+
+/* The fill value of a variable: that of the file, or the default of the library
+ * for the type; bytes and texts have none. */
+static double fill_of(const reader *r, int variable)
+{
+    nc_type type = NC_NAT;
+    size_t n = 0;
+    nc_inq_vartype(r->file, variable, &type);
+    if (nc_inq_attlen(r->file, variable, "_FillValue", &n) == NC_NOERR) {
+        return get_number(r, variable, "_FillValue", NAN);
+    }
+    switch (type) {
+    case NC_SHORT:
+        return NC_FILL_SHORT;
+    case NC_INT:
+        return NC_FILL_INT;
+    case NC_USHORT:
+        return NC_FILL_USHORT;
+    case NC_UINT:
+        return NC_FILL_UINT;
+    case NC_FLOAT:
+        return (double)NC_FILL_FLOAT;
+    case NC_DOUBLE:
+        return NC_FILL_DOUBLE;
+    default:
+        return NAN;
+    }
+}
+
+static packing packing_of(const reader *r, int variable)
+{
+    packing p = {.scale = get_number(r, variable, "scale_factor", 1),
+                 .offset = get_number(r, variable, "add_offset", 0),
+                 .fill = fill_of(r, variable),
+                 .low = get_number(r, variable, "valid_min", -INFINITY),
+                 .high = get_number(r, variable, "valid_max", INFINITY)};
+    size_t n = 0;
+    double range[2];
+    if (nc_inq_attlen(r->file, variable, "valid_range", &n) == NC_NOERR &&
+        n == 2 &&
+        nc_get_att_double(r->file, variable, "valid_range", range) ==
+            NC_NOERR) {
+        p.low = range[0];
+        p.high = range[1];
+    }
+    if (nc_inq_attlen(r->file, variable, "missing_value", &n) == NC_NOERR &&
+        n <= MISSING_MAX &&
+        nc_get_att_double(r->file, variable, "missing_value", p.missing) ==
+            NC_NOERR) {
+        p.n_missing = n;
+    }
+    return p;
+}
+
+/* Unpacks n numbers; those that are missing or not valid become NAN. */
+static void unpack(const packing *p, double *value, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) {
+        const double v = value[i];
+        bool is_there =
+            isfinite(v) && v != p->fill && v >= p->low && v <= p->high;
+        for (size_t k = 0; k < p->n_missing; ++k) {
+            is_there = is_there && v != p->missing[k];
+        }
+        value[i] = is_there ? v * p->scale + p->offset : NAN;
+    }
+}
+
 /* ---- axes ---- */
 
 /* The axis that a coordinate variable belongs to; -1 if it does not say. */
@@ -254,6 +336,12 @@ static murk_status read_bounds(const reader *r, int variable, double factor,
     if (nc_get_var_double(r->file, bounds, a->bound) != NC_NOERR) {
         return bad(r, MURK_BAD_FILE, ": cannot be read", name);
     }
+    /* Bounds without packing of their own have that of the coordinates. */
+    size_t length_of_scale = 0;
+    const bool is_packed = nc_inq_attlen(r->file, bounds, "scale_factor",
+                                         &length_of_scale) == NC_NOERR;
+    const packing p = packing_of(r, is_packed ? bounds : variable);
+    unpack(&p, a->bound, 2 * a->n);
     for (size_t i = 0; i < 2 * a->n; ++i) {
         a->bound[i] *= factor;
     }
@@ -284,6 +372,16 @@ static murk_status order_axis(const reader *r, const char *name, axis *a)
         a->bound[2 * a->n - 1 - i] = bound;
     }
     return MURK_OK;
+}
+
+/* True if the coordinates of the vertical axis are depths. */
+static bool points_down(const reader *r, int variable)
+{
+    char positive[TEXT_SIZE], name[TEXT_SIZE];
+    get_text(r, variable, "positive", positive);
+    get_text(r, variable, "standard_name", name);
+    return positive[0] ? strcmp(positive, "down") == 0
+                       : strcmp(name, "depth") == 0;
 }
 
 /* Reads the coordinate variable of a dimension. */
@@ -321,6 +419,11 @@ static murk_status read_axis(reader *r, int dimension)
     if (!status && nc_get_var_double(r->file, variable, a->at) != NC_NOERR) {
         status = bad(r, MURK_BAD_FILE, ": cannot be read", name);
     }
+    if (!status) {
+        const packing p = packing_of(r, variable);
+        unpack(&p, a->at, n);
+        factor *= which == Z && points_down(r, variable) ? -1 : 1;
+    }
     for (size_t i = 0; i < n && !status; ++i) {
         a->at[i] *= factor;
     }
@@ -356,72 +459,97 @@ static murk_status read_axes(reader *r, int variable)
 
 /* ---- values ---- */
 
-/* The values of a variable at a frame, x fastest, each axis rising; missing
- * ones are NaN. */
-static murk_status read_frame(reader *r, int variable, size_t frame,
-                              double *out)
+/* The place of a value of the file among the values of the field, x fastest and
+ * each axis rising. */
+typedef struct order {
+    int n;                     /* dimensions of the variable, 4 at most */
+    size_t start[4], count[4]; /* of the frame */
+    ptrdiff_t step[4];         /* in the field, from value to value */
+    ptrdiff_t first;           /* of the file's first value */
+} order;
+
+/* Fails unless the variable has the axes X, Y and Z, each once, and T at most.
+ */
+static murk_status find_order(const reader *r, int variable, size_t frame,
+                              order *out)
 {
-    int n = 0, dimension[NC_MAX_VAR_DIMS];
-    size_t start[4] = {0}, count[4] = {1, 1, 1, 1};
-    ptrdiff_t map[4] = {0}, stride[4] = {1, 1, 1, 1};
+    int dimension[NC_MAX_VAR_DIMS];
     char name[NC_MAX_NAME + 1];
-    nc_inq_var(r->file, variable, name, NULL, &n, dimension, NULL);
     const ptrdiff_t step[3] = {1, (ptrdiff_t)r->axis[X].n,
                                (ptrdiff_t)(r->axis[X].n * r->axis[Y].n)};
-    bool is_same = n <= 4;
-    int seen = 0;
-    for (int i = 0; i < n && is_same; ++i) {
+    *out = (order){.count = {1, 1, 1, 1}};
+    nc_inq_var(r->file, variable, name, NULL, &out->n, dimension, NULL);
+    /* Find the axis of each dimension. */
+    unsigned seen = 0;
+    bool is_good = out->n == 3 || out->n == 4;
+    for (int i = 0; is_good && i < out->n; ++i) {
         int which = X;
         while (which < AXES && !(r->axis[which].at &&
                                  r->axis[which].dimension == dimension[i])) {
             ++which;
         }
-        is_same = which < AXES;
-        if (which == TIME) {
-            start[i] = frame;
-            map[i] = 1;
-        } else if (is_same) {
-            count[i] = r->axis[which].n;
-            map[i] = step[which];
-            ++seen;
+        is_good = which < AXES && !(seen >> which & 1);
+        seen |= 1u << which;
+        if (is_good && which == TIME) {
+            out->start[i] = frame;
+        } else if (is_good) {
+            const axis *a = &r->axis[which];
+            out->count[i] = a->n;
+            out->step[i] = a->is_falling ? -step[which] : step[which];
+            out->first +=
+                a->is_falling ? (ptrdiff_t)(a->n - 1) * step[which] : 0;
         }
     }
-    if (!is_same || seen != 3) {
-        return bad(r, MURK_BAD_FILE, ": has other axes than the first field",
-                   name);
+    return is_good && (seen & 7) == 7 ? MURK_OK
+                                      : bad(r, MURK_BAD_FILE,
+                                            ": must have the axes X, Y and Z "
+                                            "of the first field, and T "
+                                            "at most",
+                                            name);
+}
+
+/* The values of a variable at a frame, x fastest, each axis rising; missing
+ * ones are NAN. */
+static murk_status read_frame(reader *r, int variable, size_t frame,
+                              double *out)
+{
+    const size_t n = r->axis[X].n * r->axis[Y].n * r->axis[Z].n;
+    char name[NC_MAX_NAME + 1] = "";
+    order o;
+    murk_status status = find_order(r, variable, frame, &o);
+    if (status) {
+        return status;
     }
-    if (nc_get_varm_double(r->file, variable, start, count, stride, map, out) !=
+    /* In the order of the file, which reads fast, then in that of the field. */
+    double *raw = malloc(n * sizeof *raw);
+    if (!raw) {
+        return murk_no_memory(r->err, r->request->where, "for a field");
+    }
+    nc_inq_varname(r->file, variable, name);
+    if (nc_get_vara_double(r->file, variable, o.start, o.count, raw) !=
         NC_NOERR) {
-        return bad(r, MURK_BAD_FILE, ": cannot be read", name);
+        status = bad(r, MURK_BAD_FILE, ": cannot be read", name);
     }
-    /* Turn falling axes round, then scale. */
-    const size_t *const nx = &r->axis[X].n, ny = r->axis[Y].n,
-                        nz = r->axis[Z].n;
-    for (int which = X; which <= Z; ++which) {
-        if (!r->axis[which].is_falling) {
-            continue;
-        }
-        const size_t along = r->axis[which].n, between = (size_t)step[which];
-        for (size_t i = 0; i < *nx * ny * nz; ++i) {
-            const size_t at = i / between % along, other = along - 1 - at;
-            if (at < other) {
-                const size_t k = i + (other - at) * between;
-                const double value = out[i];
-                out[i] = out[k];
-                out[k] = value;
+    size_t at[4] = {0};
+    ptrdiff_t to = o.first;
+    for (size_t i = 0; i < n && !status; ++i) {
+        out[to] = raw[i];
+        /* Count on, the last dimension first. */
+        for (int k = o.n - 1; k >= 0; --k) {
+            to += o.step[k];
+            if (++at[k] < o.count[k]) {
+                break;
             }
+            to -= (ptrdiff_t)o.count[k] * o.step[k];
+            at[k] = 0;
         }
     }
-    const double fill = get_number(r, variable, "_FillValue", NAN),
-                 missing = get_number(r, variable, "missing_value", NAN),
-                 scale = get_number(r, variable, "scale_factor", 1),
-                 offset = get_number(r, variable, "add_offset", 0);
-    for (size_t i = 0; i < *nx * ny * nz; ++i) {
-        const bool is_there = isfinite(out[i]) && out[i] != fill &&
-                              out[i] != missing && fabs(out[i]) < 9.9e36;
-        out[i] = is_there ? out[i] * scale + offset : NAN;
+    free(raw);
+    const packing p = packing_of(r, variable);
+    if (!status) {
+        unpack(&p, out, n);
     }
-    return MURK_OK;
+    return status;
 }
 
 /* The factor from the unit of a variable, which must be in the table. */
@@ -451,10 +579,18 @@ static murk_status find_sources(const reader *r, sources *out)
 {
     const murk_netcdf_asked *asked = &r->request->asked;
     *out = (sources){.radius = -1, .first_factor = 1, .radius_factor = 1};
+    if (asked->variable && (asked->liquid_water || asked->effective_radius ||
+                            asked->effective_radius_um > 0)) {
+        return bad(r, MURK_BAD_VALUE,
+                   "variable goes with neither liquid_water nor "
+                   "effective_radius",
+                   NULL);
+    }
     if (asked->variable) {
         out->first_factor = asked->per_unit;
         return find_variable(r, asked->variable, "", &out->first);
     }
+    /* Liquid water and, without a number for all, the radius. */
     murk_status status = find_variable(
         r, asked->liquid_water,
         "mass_concentration_of_cloud_liquid_water_in_air", &out->first);

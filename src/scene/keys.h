@@ -69,8 +69,9 @@ typedef struct murk_key {
     size_t inside;    /* a map: the member into which the keys of the map go */
     bool is_position; /* moved to the local origin (scene/origin.h): a vector,
                        * or heights, which are numbers */
-    bool selects_files; /* the number is part of the names of files, so a fit
-                         * cannot search it: files are read once */
+    bool selects_files; /* the number says which files are read, or what of
+                         * them, so a fit cannot search it: files are read
+                         * once */
     bool has_flag;
     size_t flag_at;  /* a bool that is true if the key is given */
     bool lights;     /* top level: the traced light depends on the key */

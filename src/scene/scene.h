@@ -145,6 +145,13 @@ typedef struct murk_scene_medium {
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;
 
+/* True if the filling of the medium states the extinction by itself [1/m]; then
+ * extinction_per_m has no meaning. */
+static inline bool murk_scene_states_extinction(const murk_scene_medium *m)
+{
+    return m->profile_z_m.n > 0 || m->fds || m->netcdf;
+}
+
 typedef struct murk_scene_region {
     murk_scene_where where;
     size_t medium; /* index */

@@ -172,12 +172,7 @@ void murk_fillings_give(const murk_fillings *fillings, size_t i,
 {
     medium->grid = fillings->grid[i];
     medium->albedo_grid = fillings->albedo[i];
-    const bool has_profile = fillings->profile[i].n > 0;
-    if (has_profile) {
+    if (fillings->profile[i].n > 0) {
         medium->profile = &fillings->profile[i];
-    }
-    if (has_profile ||
-        (medium->grid && murk_grid_describe(medium->grid)->blocks > 0)) {
-        medium->extinction_per_m = murk_spectrum_flat(1, MURK_BANDS_MAX);
     }
 }

@@ -43,10 +43,7 @@ murk_status murk_fillings_create(murk_fillings **out,
 void murk_fillings_destroy(murk_fillings *fillings); /* NULL is fine */
 
 /* Sets the grid and the albedo grid of *medium to those of the i-th medium of
- * the fillings, NULL included, and the profile if the i-th medium has one. A
- * profile and a rectilinear grid state the extinction by themselves, so the
- * extinction coefficient of a medium with one of them becomes 1 in all bands.
- */
+ * the fillings, NULL included, and the profile if the i-th medium has one. */
 void murk_fillings_give(const murk_fillings *fillings, size_t i,
                         murk_medium *medium);
 

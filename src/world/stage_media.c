@@ -30,11 +30,13 @@ static murk_medium medium_of(const murk_scene_desc *scene, size_t i,
                              const murk_phases *phases)
 {
     const murk_scene_medium *m = &scene->media[i];
-    murk_medium medium = {.extinction_per_m = m->extinction_per_m,
-                          .albedo = m->albedo,
-                          .interpolation =
-                              m->is_linear ? MURK_LINEAR : MURK_NEAREST,
-                          .where = m->where};
+    murk_medium medium = {
+        .extinction_per_m = murk_scene_states_extinction(m)
+                                ? murk_spectrum_flat(1, MURK_BANDS_MAX)
+                                : m->extinction_per_m,
+        .albedo = m->albedo,
+        .interpolation = m->is_linear ? MURK_LINEAR : MURK_NEAREST,
+        .where = m->where};
     murk_fillings_give(fillings, i, &medium);
     memcpy(medium.phase, phases->medium[i], sizeof medium.phase);
     return medium;

@@ -20,8 +20,10 @@
 
 #define FROM "scenes/fds/"
 
+/* The last file is a slice of mesh 1, made here; so are the lines about it and
+ * about events that are added to the .smv file. */
 static const char *const names[] = {"atrium.smv", "atrium_1_1.s3d",
-                                    "atrium_2_1.s3d"};
+                                    "atrium_2_1.s3d", "slice.sf"};
 #define NAMES (sizeof names / sizeof *names)
 
 typedef struct bytes {
@@ -35,6 +37,45 @@ static bytes whole[NAMES];
 static void path_of(char *out, size_t size, size_t i)
 {
     snprintf(out, size, "%s/%s", folder, names[i]);
+}
+
+static const char *const MORE =
+    "\nHIDE_OBST 1\n 1 10.\nSHOW_OBST 1\n 1 30.\nCLOSE_VENT 2\n 1 20.\n"
+    "SLCC 1 # STRUCTURED & 0 24 0 24 0 16 ! 1 1\n slice.sf\n SOOT VISIBILITY\n"
+    " S\n m\n";
+
+/* A slice of 25 x 25 x 17 values at two times. */
+static bytes make_slice(void)
+{
+    const uint32_t label = 30, nodes[] = {24, 0, 24, 0, 24, 0, 16, 24},
+                   values = 25 * 25 * 17, size = 4 * values, four = 4;
+    bytes b = {calloc(1, 200 + 2 * (size + 20)), 0};
+    CHECK(b.at != NULL);
+    /* Three labels, the nodes, then the frames. */
+    for (int i = 0; i < 3; ++i) {
+        memcpy(b.at + b.size, &label, 4);
+        memset(b.at + b.size + 4, 'A', label);
+        memcpy(b.at + b.size + 4 + label, &label, 4);
+        b.size += 8 + label;
+    }
+    memcpy(b.at + b.size, nodes, sizeof nodes);
+    b.size += sizeof nodes;
+    for (int frame = 0; frame < 2; ++frame) {
+        const float time_s = 50 * (float)frame;
+        memcpy(b.at + b.size, &four, 4);
+        memcpy(b.at + b.size + 4, &time_s, 4);
+        memcpy(b.at + b.size + 8, &four, 4);
+        memcpy(b.at + b.size + 12, &size, 4);
+        b.size += 16;
+        for (uint32_t i = 0; i < values; ++i) {
+            const float visibility_m = 1 + (float)(i % 30);
+            memcpy(b.at + b.size, &visibility_m, 4);
+            b.size += 4;
+        }
+        memcpy(b.at + b.size, &size, 4);
+        b.size += 4;
+    }
+    return b;
 }
 
 static bytes load(const char *name)
@@ -63,26 +104,25 @@ static void check_error(murk_status status, const murk_error *err)
     CHECK(err->text[0] != '\0' && !strchr(err->text, '\n'));
 }
 
-/* Reads the smoke and the walls. True if both are read. */
-static bool survives(void)
+static void check_field(const murk_fds_asked *asked, bool *is_read)
 {
     char path[128];
     path_of(path, sizeof path, 0);
-    const double start_s = murk_clock_s();
-    const murk_fds_asked asked = {.time_s = 25};
     murk_fds_field *field = NULL;
-    murk_fds_run *run = NULL;
     murk_error err = {0};
-    murk_status status =
-        murk_fds_field_read(&field, path, &asked, "bad.yaml:1:1", &err);
+    const murk_status status =
+        murk_fds_field_read(&field, path, asked, "bad.yaml:1:1", &err);
     if (status) {
         check_error(status, &err);
         CHECK(field == NULL);
+        *is_read = false;
     }
+    /* Whatever was read is finite and 0 or more. */
     for (size_t b = 0; field && b < field->n; ++b) {
         const murk_field_block *block = &field->block[b];
-        const size_t n = (block->cells[0] + 1) * (block->cells[1] + 1) *
-                         (block->cells[2] + 1);
+        const size_t more = block->has_nodes ? 1 : 0;
+        const size_t n = (block->cells[0] + more) * (block->cells[1] + more) *
+                         (block->cells[2] + more);
         bool are_sane = true;
         for (size_t i = 0; i < n; ++i) {
             are_sane =
@@ -91,8 +131,26 @@ static bool survives(void)
         CHECK(are_sane);
     }
     murk_fds_field_destroy(field);
+}
+
+/* Reads the smoke, the slice and the walls. True if all are read. */
+static bool survives(void)
+{
+    char path[128];
+    const double start_s = murk_clock_s();
+    static const double first = 1;
+    const murk_fds_asked smoke = {.time_s = 25},
+                         slice = {.quantity = MURK_FDS_VISIBILITY,
+                                  .mesh = &first,
+                                  .n_meshes = 1,
+                                  .time_s = 25};
+    bool are_read = true;
+    check_field(&smoke, &are_read);
+    check_field(&slice, &are_read);
+    murk_fds_run *run = NULL;
+    murk_error err = {0};
     /* The walls. */
-    err = (murk_error){0};
+    path_of(path, sizeof path, 0);
     const murk_status walls_status =
         murk_fds_run_read(&run, path, "bad.yaml:1:1", &err);
     if (walls_status) {
@@ -104,7 +162,7 @@ static bool survives(void)
     }
     murk_fds_run_destroy(run);
     CHECK(murk_clock_s() - start_s < SLOWEST_S);
-    return !status && !walls_status;
+    return are_read && !walls_status;
 }
 
 /* Changes one file: cuts it off, flips bits, replaces a word of four bytes, or
@@ -144,7 +202,13 @@ int main(int argc, char **argv)
     char path[128];
     CHECK(mkdtemp(folder) != NULL);
     for (size_t i = 0; i < NAMES; ++i) {
-        whole[i] = load(names[i]);
+        whole[i] = i + 1 < NAMES ? load(names[i]) : make_slice();
+        if (i == 0) {
+            whole[0].at = realloc(whole[0].at, whole[0].size + strlen(MORE));
+            CHECK(whole[0].at != NULL);
+            memcpy(whole[0].at + whole[0].size, MORE, strlen(MORE));
+            whole[0].size += strlen(MORE);
+        }
         path_of(path, sizeof path, i);
         write_bytes(path, whole[i].at, whole[i].size);
     }
@@ -152,7 +216,7 @@ int main(int argc, char **argv)
     uint32_t refused = 0;
     for (uint32_t i = 0; i < files; ++i) {
         /* Two thirds of the changes are in the .smv file. */
-        const size_t which = i % 6 < 4 ? 0 : i % 6 - 3;
+        const size_t which = i % 9 < 6 ? 0 : i % 9 - 5;
         size_t size = whole[which].size;
         unsigned char *copy = malloc(size);
         CHECK(copy != NULL);

@@ -214,6 +214,27 @@ def compare_own(folder):
         for (i, j), tau in zip(places, got, strict=True):
             want = column(i, j, weight, 10)
             check(abs(tau - want) <= 2e-6 * max(want, 1e-2), f"{file} at {time_s} s, column {i} {j}: {tau}, {want}")
+    # depths, packed coordinates, a default fill value and a valid range, of bytes that say no more
+    write_classic(folder / "deep.nc", {"x": 2, "y": 2, "depth": 3}, {
+        "x": (["x"], "h", {"units": "m", "scale_factor": ("d", 100.0), "add_offset": ("d", 50.0)}, [0, 1]),
+        "y": (["y"], "d", {"units": "m"}, [0.0, 10.0]),
+        "depth": (["depth"], "d", {"units": "m", "positive": "down", "axis": "Z"}, [1.0, 3.0, 5.0]),
+        "mud": (["depth", "y", "x"], "h", {"units": "g m-3", "scale_factor": ("d", 0.01), "valid_max": ("h", 50)},
+                [10, 20, 10, 20, 30, -32767, 30, 40, 60, 40, 10, 10])})
+    # columns: cells of 2 m from the surface down to 6 m
+    got = depths(folder, f"albedo: 1, netcdf: {folder / 'deep.nc'}, variable: mud",
+                 [[x, y, -7.0, x, y, 1.0] for y in (1.0, 9.0) for x in (51.0, 149.0)]
+                 + [[51.0, 1.0, -1.9, 51.0, 1.0, -0.1]])
+    for tau, want in zip(got, [2 * .1 + 2 * .3, 2 * .2 + 2 * .4, 2 * .1 + 2 * .3 + 2 * .1, 2 * .2 + 2 * .4 + 2 * .1,
+                               1.8 * .1], strict=True):
+        check(abs(tau - want) <= 2e-6, f"deep: {tau}, {want}")
+    # a field that has one axis twice is none
+    write_classic(folder / "twice.nc", {"x": 3, "y": 3, "z": 3}, {
+        name: ([name], "d", {"units": "m"}, [0.0, 1.0, 2.0]) for name in "xyz"} | {
+        "lwc": (["z", "y", "x"], "f", {"units": "g m-3"}, [1.0] * 27),
+        "reff": (["z", "z", "y"], "f", {"units": "um"}, [10.0] * 27)})
+    got = depths(folder, f"albedo: 1, netcdf: {folder / 'twice.nc'}, liquid_water: lwc, effective_radius: reff", lines[:1])
+    check(isinstance(got, str) and "reff: must have the axes" in got, f"twice: {got}")
     # any variable by a factor: a tenth of the water
     got = depths(folder, f"albedo: 1, netcdf: {folder / 'plain.nc'}, variable: lwc, per_unit: 0.015", lines)
     for (i, j), tau in zip(places, got, strict=True):

@@ -210,6 +210,22 @@ static void test_slices(void)
         CHECK(f->block[0].value[1] == value[11]);
     }
     murk_fds_field_destroy(f);
+    /* Slightly negative is rounding, more is refused. */
+    value[3] = -1e-8F;
+    begin(false, n);
+    put_slice(0, value, 12);
+    save("b.sf");
+    save_smv("SLCF 1 # STRUCTURED & 0 1 0 1 0 2 ! 1 0\n b.sf\n SOOT DENSITY\n "
+             "rho\n kg/m3\n");
+    CHECK(read_field(&f, MURK_FDS_SOOT_DENSITY, 0, &err) == MURK_OK);
+    CHECK(f && f->block[0].value[3] == 0);
+    murk_fds_field_destroy(f);
+    value[3] = -1e-4F;
+    begin(false, n);
+    put_slice(0, value, 12);
+    save("b.sf");
+    CHECK(read_field(&f, MURK_FDS_SOOT_DENSITY, 0, &err) == MURK_BAD_FILE);
+    CHECK_MENTIONS(err.text, "extinctions from -0.87");
     /* Visibility, cut at 30 m in three nodes. */
     save_smv("SLCF 1 # STRUCTURED & 0 1 0 1 0 2 ! 1 0\n c.sf\n SOOT "
              "VISIBILITY\n S\n m\n");
@@ -258,7 +274,7 @@ static void test_refused(void)
     refuses("not later than the one before");
     begin(true, other);
     put_smoke(1, code, sizeof code, 16);
-    refuses("has nodes 0 to 3 along z");
+    refuses("has nodes 0 to 3 along z, must be 0 to 2");
 }
 
 int main(void)

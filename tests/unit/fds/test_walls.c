@@ -124,6 +124,42 @@ static void test_plates(void)
     CHECK_NEAR(area[SHEET], 12 - 4, 1e-12);
 }
 
+/* At the border of meshes of unlike cells the finer one draws, whichever side
+ * is solid; a plate there, which both meshes list, is drawn once. The cells of
+ * mesh 1 are 1 m2 at the border, so are those of mesh 2: mesh 2 is rewritten
+ * with cells of 2 m along y and z. */
+static void test_unlike_meshes(void)
+{
+    static const char *const coarse =
+        "TRNY\n 0\n 0 0.\n 1 2.\n 2 4.\nTRNZ\n 0\n 0 0.\n 1 2.\n 2 4.\n";
+    char text[8192];
+    double area[SURFACES];
+    /* A coarse solid cell behind four fine faces, of which one is solid, too.
+     */
+    snprintf(text, sizeof text,
+             "%sSURFDEF\n LATER\nGRID one\n 4 4 4 0\n"
+             "TRNX\n 0\n 0 0.\n 1 1.\n 2 2.\n 3 3.\n 4 4.\n%s"
+             "OBST\n 1\n 3 4 0 1 0 1 1 4 4 4 4 4 4\n 3 4 0 1 0 1 -1 -1\n"
+             "VENT\n 0 0\nGRID two\n 2 2 2 0\nTRNX\n 0\n 0 4.\n 1 6.\n 2 "
+             "8.\n%sOBST\n 1\n 4 6 0 2 0 2 1 1 1 1 1 1 1\n 0 1 0 1 0 1 -1 "
+             "-1\nVENT\n 0 0\n",
+             HEAD, LINES, coarse);
+    write_bytes(path, text, strlen(text));
+    measure(area, 0);
+    /* BLOCK: three quarters of the side at x = 4, that at x = 6, two at y = 2
+     * and z = 2; SHEET: the small cell's sides at x = 3, y = 1 and z = 1. */
+    CHECK_NEAR(area[BLOCK], 3 + 4 + 2 * 4, 1e-12);
+    CHECK_NEAR(area[SHEET], 3, 1e-12);
+    /* SURFDEF gives outer walls LATER: those of the hall less what the
+     * obstructions cover. */
+    CHECK_NEAR(area[WALL], 0, 0);
+    CHECK_NEAR(area[LATER], 2 * 16 + 4 * 32 - 2 * (4 + 1), 1e-12);
+    write_run(" 1\n 4 4 0 4 0 3 1 4 4 4 4 4 4\n 4 4 0 4 0 3 -1 -1", " 0 0",
+              " 1\n 4 4 0 4 0 3 1 4 4 4 4 4 4\n 0 0 0 4 0 3 -1 -1", "");
+    measure(area, 0);
+    CHECK_NEAR(area[SHEET], 12, 1e-12);
+}
+
 /* Obstructions and vents come and go. */
 static void test_events(void)
 {
@@ -182,6 +218,7 @@ int main(void)
     test_empty_hall();
     test_blocks();
     test_plates();
+    test_unlike_meshes();
     test_events();
     test_refused();
     unlink(path);
