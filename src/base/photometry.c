@@ -1,11 +1,13 @@
 /* Photometric and quantum conversions of radiant power; base/photometry.h has
  * the sources. A band is divided at the ends of V and PAR; within each piece
- * the spectral integrals are sums over midpoints of equal steps. */
+ * the spectral integrals are sums over midpoints of equal steps. A table of a
+ * spectrum is divided at each of its wavelengths, too, and each piece takes two
+ * points of Gauss and Legendre a step: a line narrower than a step counts. */
 #include "base/photometry.h"
 
 #include <assert.h>
 #include <math.h>
-#include <stddef.h>
+#include <stdbool.h>
 
 /* h c in joule nanometres (SI 2019). */
 #define HC_J_NM 1.986445857148929e-16
@@ -21,6 +23,9 @@
 /* The largest number of steps in one piece of a band; a piece wider than this
  * many nm has longer steps. */
 #define MAX_STEPS 20000
+/* The points of the rule of Gauss and Legendre with two points lie so far from
+ * the middle of a step of 1: sqrt(1 / 12). */
+#define GAUSS_2 0.28867513459481287
 
 /* The luminous efficiency V every V_STEP_NM (ISO/CIE 11664-1:2019). */
 static const double efficiency[] = {
@@ -37,7 +42,13 @@ static const double efficiency[] = {
     0.000520, 0.000361, 0.000249, 0.000172, 0.000120, 0.000085, 0.000060,
     0.000042, 0.000030, 0.000021, 0.000015};
 /* The last index of the table. */
-#define LAST ((int)(sizeof efficiency / sizeof *efficiency) - 1)
+#define LAST    ((int)(sizeof efficiency / sizeof *efficiency) - 1)
+#define V_TO_NM (V_FROM_NM + V_STEP_NM * LAST)
+
+/* A band is divided at the ends of V and PAR, so that no step contains a
+ * jump. */
+static const double CUT_NM[] = {V_FROM_NM, PAR_FROM_NM, PAR_TO_NM, V_TO_NM};
+#define CUTS (sizeof CUT_NM / sizeof *CUT_NM)
 
 double murk_luminous_efficiency(double wavelength_nm)
 {
@@ -117,16 +128,12 @@ double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
     if (from_nm == to_nm || quantity == MURK_RADIOMETRIC) {
         return per_watt(quantity, from_nm);
     }
-    /* Divide the band at the ends of V and PAR, so that no step contains a
-     * jump. */
-    static const double cuts[] = {V_FROM_NM, PAR_FROM_NM, PAR_TO_NM,
-                                  V_FROM_NM + V_STEP_NM * LAST};
     weighed sums = {0, 0};
     double start = from_nm;
-    for (size_t i = 0; i < sizeof cuts / sizeof *cuts; ++i) {
-        if (cuts[i] > start && cuts[i] < to_nm) {
-            add_piece(&sums, quantity, start, cuts[i], shape, context);
-            start = cuts[i];
+    for (size_t i = 0; i < CUTS; ++i) {
+        if (CUT_NM[i] > start && CUT_NM[i] < to_nm) {
+            add_piece(&sums, quantity, start, CUT_NM[i], shape, context);
+            start = CUT_NM[i];
         }
     }
     add_piece(&sums, quantity, start, to_nm, shape, context);
@@ -135,6 +142,55 @@ double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
                                          NULL);
     }
     return sums.counted / sums.power;
+}
+
+/* Adds a part of a band in which the power per nm is linear. The two points of
+ * Gauss and Legendre are exact for cubics: for the power, and for photons in
+ * one step. */
+static void add_linear(weighed *sums, murk_quantity quantity,
+                       const double nm[2], const double power_per_nm[2],
+                       double from_nm, double to_nm)
+{
+    /* V is met in steps; it is 0 in the rest of a band, which has no limit. */
+    const bool has_steps = quantity == MURK_PHOTOMETRIC &&
+                           from_nm >= V_FROM_NM && to_nm <= V_TO_NM;
+    const int steps =
+        has_steps ? (int)ceil((to_nm - from_nm) / MAX_STEP_NM) : 1;
+    const double step = (to_nm - from_nm) / steps,
+                 slope = (power_per_nm[1] - power_per_nm[0]) / (nm[1] - nm[0]);
+    for (int i = 0; i < 2 * steps; ++i) {
+        const double aside = i % 2 ? GAUSS_2 : -GAUSS_2;
+        const double at = from_nm + (i / 2 + 0.5 + aside) * step;
+        const double power =
+            fmax(0, power_per_nm[0] + slope * (at - nm[0])) * step / 2;
+        sums->power += power;
+        sums->counted += power * per_watt(quantity, at);
+    }
+}
+
+double murk_quantity_per_watt_of_table(murk_quantity quantity, double from_nm,
+                                       double to_nm, size_t n, const double *nm,
+                                       const double *power_per_nm)
+{
+    assert(from_nm > 0 && from_nm <= to_nm);
+    weighed sums = {0, 0};
+    for (size_t i = 1; i < n; ++i) {
+        const double end = fmin(to_nm, nm[i]);
+        double start = fmax(from_nm, nm[i - 1]);
+        for (size_t k = 0; k < CUTS && start < end; ++k) {
+            if (CUT_NM[k] > start && CUT_NM[k] < end) {
+                add_linear(&sums, quantity, nm + i - 1, power_per_nm + i - 1,
+                           start, CUT_NM[k]);
+                start = CUT_NM[k];
+            }
+        }
+        if (start < end) {
+            add_linear(&sums, quantity, nm + i - 1, power_per_nm + i - 1, start,
+                       end);
+        }
+    }
+    return sums.power > 0 ? sums.counted / sums.power
+                          : murk_quantity_per_watt(quantity, from_nm, to_nm);
 }
 
 double murk_quantity_per_watt(murk_quantity quantity, double from_nm,

@@ -13,6 +13,8 @@
 #ifndef MURK_BASE_PHOTOMETRY_H
 #define MURK_BASE_PHOTOMETRY_H
 
+#include <stddef.h>
+
 /* at V = 1, by the definition of the candela (SI) */
 #define MURK_LUMEN_PER_WATT 683.0
 #define MURK_AVOGADRO       6.02214076e23 /* 1/mol, SI 2019 */
@@ -50,5 +52,13 @@ double murk_quantity_per_watt(murk_quantity quantity, double from_nm,
 double murk_quantity_per_watt_of(murk_quantity quantity, double from_nm,
                                  double to_nm, murk_spectral_shape shape,
                                  const void *context);
+
+/* Likewise for a table of n rising wavelengths and the power per nm, 0 or more,
+ * linear between the wavelengths and 0 beyond the first and the last. The power
+ * is exact; V is sampled at steps of 1 nm or less between the wavelengths of
+ * the table, so that a line of any width counts. */
+double murk_quantity_per_watt_of_table(murk_quantity quantity, double from_nm,
+                                       double to_nm, size_t n, const double *nm,
+                                       const double *power_per_nm);
 
 #endif

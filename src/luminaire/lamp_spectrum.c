@@ -6,8 +6,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/photometry.h"
-
 /* The second radiation constant h c / k [nm K] (SI 2019). */
 #define C2_NM_K 1.438776877e7
 /* The wavelength at which the shape of a black body is about 1. */
@@ -133,11 +131,22 @@ double murk_lamp_spectrum_integral(const murk_lamp_spectrum *spectrum,
     return sum;
 }
 
+double murk_lamp_spectrum_per_watt(const murk_lamp_spectrum *spectrum,
+                                   murk_quantity quantity, double from_nm,
+                                   double to_nm)
+{
+    return spectrum->temperature_k > 0 || from_nm == to_nm
+               ? murk_quantity_per_watt_of(quantity, from_nm, to_nm,
+                                           murk_lamp_spectrum_at, spectrum)
+               : murk_quantity_per_watt_of_table(quantity, from_nm, to_nm,
+                                                 spectrum->n, spectrum->nm,
+                                                 spectrum->power_per_nm);
+}
+
 double murk_lamp_spectrum_lumens(const murk_lamp_spectrum *spectrum)
 {
     return murk_lamp_spectrum_integral(spectrum, VISIBLE_FROM_NM,
                                        VISIBLE_TO_NM) *
-           murk_quantity_per_watt_of(MURK_PHOTOMETRIC, VISIBLE_FROM_NM,
-                                     VISIBLE_TO_NM, murk_lamp_spectrum_at,
-                                     spectrum);
+           murk_lamp_spectrum_per_watt(spectrum, MURK_PHOTOMETRIC,
+                                       VISIBLE_FROM_NM, VISIBLE_TO_NM);
 }

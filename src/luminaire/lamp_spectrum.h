@@ -8,6 +8,7 @@
 #ifndef MURK_LUMINAIRE_LAMP_SPECTRUM_H
 #define MURK_LUMINAIRE_LAMP_SPECTRUM_H
 
+#include "base/photometry.h"
 #include "base/status.h"
 
 #include <stdbool.h>
@@ -47,6 +48,13 @@ double murk_lamp_spectrum_at(const void *spectrum, double nm);
  * 20,000 steps). */
 double murk_lamp_spectrum_integral(const murk_lamp_spectrum *spectrum,
                                    double from_nm, double to_nm);
+
+/* The amount of a quantity that one watt of the spectrum in a band has
+ * (base/photometry.h), 0 < from <= to. Lines of a table count, however narrow;
+ * a spectrum that is 0 in the band is replaced by a constant one. */
+double murk_lamp_spectrum_per_watt(const murk_lamp_spectrum *spectrum,
+                                   murk_quantity quantity, double from_nm,
+                                   double to_nm);
 
 /* The luminous flux [lm] of a spectrum whose power is that of
  * murk_lamp_spectrum_integral() in watts: 683 lm/W times the integral of V

@@ -19,30 +19,29 @@ murk_units murk_units_of(murk_quantity quantity)
     return KNOWN[quantity];
 }
 
-/* shape is NULL for a light source that is even in wavelength. */
-static double per_watt(murk_quantity quantity, const murk_scene_desc *scene,
-                       int band, murk_spectral_shape shape,
-                       const void *spectrum)
+/* The ends of a band [nm], which are equal for a line. */
+static void ends_of(const murk_scene_desc *scene, int band, double end[2])
 {
-    const double line = scene->band_nm[band];
-    const double from = scene->has_edges ? scene->band_edge_nm[band] : line;
-    const double to = scene->has_edges ? scene->band_edge_nm[band + 1] : line;
-    return shape
-               ? murk_quantity_per_watt_of(quantity, from, to, shape, spectrum)
-               : murk_quantity_per_watt(quantity, from, to);
+    for (int i = 0; i < 2; ++i) {
+        end[i] = scene->has_edges ? scene->band_edge_nm[band + i]
+                                  : scene->band_nm[band];
+    }
 }
 
 double murk_units_per_watt(murk_quantity quantity, const murk_stage *stage,
                            size_t light, int band)
 {
     const murk_sky_facts *facts = &stage->sky[light];
+    double end[2];
+    ends_of(stage->scene, band, end);
     if (facts->spectrum.nodes > 0) {
-        return per_watt(quantity, stage->scene, band, murk_solar_spectrum_at,
-                        &facts->spectrum);
+        return murk_quantity_per_watt_of(
+            quantity, end[0], end[1], murk_solar_spectrum_at, &facts->spectrum);
     }
-    return per_watt(quantity, stage->scene, band,
-                    facts->lamp_spectrum ? murk_lamp_spectrum_at : NULL,
-                    facts->lamp_spectrum);
+    return facts->lamp_spectrum
+               ? murk_lamp_spectrum_per_watt(facts->lamp_spectrum, quantity,
+                                             end[0], end[1])
+               : murk_quantity_per_watt(quantity, end[0], end[1]);
 }
 
 void murk_units_packets(double *out, murk_quantity quantity,
@@ -70,7 +69,9 @@ void murk_units_note(const murk_scene_desc *scene)
     char list[16 * MURK_BANDS_MAX] = "";
     size_t used = 0;
     for (int i = 0; i < scene->bands; ++i) {
-        if (!(per_watt(scene->units, scene, i, NULL, NULL) > 0)) {
+        double end[2];
+        ends_of(scene, i, end);
+        if (!(murk_quantity_per_watt(scene->units, end[0], end[1]) > 0)) {
             used += (size_t)snprintf(list + used, sizeof list - used, "%s%.5g",
                                      used ? ", " : "", scene->band_nm[i]);
         }

@@ -94,6 +94,62 @@ static void test_table(void)
     murk_lamp_spectrum_destroy(s);
 }
 
+static murk_lamp_spectrum *table(size_t n, const double *at,
+                                 const double *value)
+{
+    double *nm = malloc(n * sizeof *nm), *power = malloc(n * sizeof *power);
+    murk_lamp_spectrum *s = NULL;
+    murk_error err = {0};
+    memcpy(nm, at, n * sizeof *nm);
+    memcpy(power, value, n * sizeof *power);
+    CHECK(!murk_lamp_spectrum_create(&s, 0, n, nm, power, "a", &err));
+    return s;
+}
+
+/* The amount per watt of a quantity, by a plain sum over steps of .01 nm, of
+ * which the wavelengths of the table are multiples. */
+static double plain(const murk_lamp_spectrum *s, murk_quantity quantity,
+                    double from, double to)
+{
+    const int steps = (int)lround((to - from) * 100);
+    double power = 0, counted = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double nm = from + (i + 0.5) * (to - from) / steps;
+        const double p = murk_lamp_spectrum_at(s, nm);
+        power += p;
+        counted += p * murk_quantity_per_watt(quantity, nm, nm);
+    }
+    return counted / power;
+}
+
+/* A line narrower than 1 nm has the efficacy of its wavelength: sodium, 1,000
+ * lm of which are 1.904 W, with V(589) by the table of V. Lines at any place,
+ * with and without slopes to the same side, agree with a plain sum. */
+static void test_narrow_lines(void)
+{
+    static const double sodium[] = {588.5, 589, 589.5}, peak[] = {0, 1, 0};
+    murk_lamp_spectrum *s = table(3, sodium, peak);
+    const double watts = murk_lamp_spectrum_integral(s, 1, 1e6);
+    CHECK_NEAR(murk_lamp_spectrum_lumens(s),
+               watts * 683 * murk_luminous_efficiency(589), 683 * 1e-4 * watts);
+    CHECK_NEAR(1000 * watts / murk_lamp_spectrum_lumens(s), 1.904, 1e-3);
+    murk_lamp_spectrum_destroy(s);
+    for (int i = 0; i < 17; ++i) {
+        /* two lines and a wide part, 0 and a jump at the ends */
+        const double a = 400.1 + 17.3 * i;
+        const double at[] = {a, a + .01, a + .3, a + .31, a + 1.7, a + 29};
+        const double value[] = {9, 0, 0, 7, 0, 1};
+        s = table(6, at, value);
+        for (int q = MURK_PHOTOMETRIC; q <= MURK_PAR; ++q) {
+            const double want = plain(s, (murk_quantity)q, 380, 780);
+            const double got =
+                murk_lamp_spectrum_per_watt(s, (murk_quantity)q, 380, 780);
+            CHECK_NEAR(got / want, 1, 1e-4);
+        }
+        murk_lamp_spectrum_destroy(s);
+    }
+}
+
 int main(void)
 {
     test_wien();
@@ -101,5 +157,6 @@ int main(void)
     test_the_old_candela();
     test_stefan_boltzmann();
     test_table();
+    test_narrow_lines();
     return check_done();
 }
