@@ -290,7 +290,7 @@ static bool does_turn(const murk_affine *motion)
 }
 
 /* Refuses lights that cannot move along: arrays, and luminaires that turn and
- * do not say which direction of theirs is C = 0. */
+ * leave their directions to defaults, which would not turn. */
 static murk_status check_mover(const changes *c, const murk_scene_track *track,
                                const murk_yaml *light, size_t number,
                                const murk_affine *motion)
@@ -300,10 +300,11 @@ static murk_status check_mover(const changes *c, const murk_scene_track *track,
                          "lights: %zu is an array, must be a light alone",
                          number);
     }
-    if (murk_yaml_get(light, "file") && !murk_yaml_get(light, "c0") &&
-        does_turn(motion)) {
+    if (murk_yaml_get(light, "file") && does_turn(motion) &&
+        !(murk_yaml_get(light, "aim") && murk_yaml_get(light, "c0"))) {
         return murk_fail(c->err, MURK_BAD_VALUE, track->where,
-                         "lights: %zu is a luminaire that turns, must have c0",
+                         "lights: %zu is a luminaire that turns, must have "
+                         "aim and c0",
                          number);
     }
     return MURK_OK;

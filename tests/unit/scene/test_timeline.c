@@ -137,6 +137,36 @@ static void test_geometry_moves_with_its_lights(void)
     }
 }
 
+/* Even below, and dark above. */
+#define IES "IESNA91\nTILT=NONE\n1 9 1 2 1 1 2 0 0 0\n1 1 3\n0 90\n0\n1 1\n"
+#define LOAD_TURNS                                                       \
+    AT("{geometry: load, lights: [0], keyframes: [{t_s: 0, rotate_deg: " \
+       "[90, 0, 0]}]}")                                                  \
+    LOAD
+#define LAMP_OF_LOAD                                                      \
+    "lights: [{type: luminaire, file: a.ies, position_m: [1, 2, 4], c0: " \
+    "[1, 0, 0]"
+
+/* The aim of a luminaire and C = 0 turn along with the load. If the scene
+ * leaves one of them to its default, the track is refused. */
+static void test_luminaires_turn(void)
+{
+    write_text("a.ies", IES);
+    murk_scene_desc *scene =
+        read_at(LOAD_TURNS LAMP_OF_LOAD ", aim: [0, 0, -1]}]\n", "0");
+    const murk_scene_light *l = &scene->lights[0];
+    CHECK(murk_length(murk_sub(l->direction, murk_vec(0, 1, 0))) < 1e-12);
+    CHECK(murk_length(murk_sub(l->c0, murk_vec(1, 0, 0))) < 1e-12);
+    murk_scene_desc_destroy(scene);
+    CHECK_REFUSED(LOAD_TURNS LAMP_OF_LOAD "}]\n", VALUE,
+                  "fog.yaml:3:54: timeline.tracks.0",
+                  "lights: 0 is a luminaire that turns, must have aim and c0");
+    CHECK_REFUSED(LOAD_TURNS "lights: [{type: luminaire, file: a.ies, "
+                             "position_m: [1, 2, 4], aim: [0, 0, -1]}]\n",
+                  VALUE, "fog.yaml:3:54: timeline.tracks.0",
+                  "lights: 0 is a luminaire that turns, must have aim and c0");
+}
+
 #define PLUME                                                                \
     "media: {plume: {vdb: s.##.vdb, frame: 7, extinction_per_m: 1, albedo: " \
     "1}}\nregions: [{medium: plume}]\n"
@@ -465,6 +495,7 @@ int main(void)
     test_keys_between_keyframes();
     test_lists_are_interpolated_and_words_hold();
     test_geometry_moves_with_its_lights();
+    test_luminaires_turn();
     test_sequences_of_grids();
     test_sensors_drift_and_fail();
     test_offsets();
@@ -474,6 +505,6 @@ int main(void)
     test_steps_are_conditions();
     test_names_stand_for_indices();
     test_refusals();
-    folder_leave((const char *const[]){"fog.yaml", NULL});
+    folder_leave((const char *const[]){"fog.yaml", "a.ies", NULL});
     return check_done();
 }
