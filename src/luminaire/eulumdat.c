@@ -23,9 +23,10 @@
 #define FACTOR_MIN  1e-9
 #define FACTOR_MAX  1e9
 
-#define RATIOS  10    /* direct ratios, which only indoor planning needs */
-#define PERCENT 100.0 /* of one */
-#define MM      1e-3  /* metres */
+#define GAMMAS_LINE 6     /* has the number of gamma angles */
+#define RATIOS      10    /* direct ratios, which only indoor planning needs */
+#define PERCENT     100.0 /* of one */
+#define MM          1e-3  /* metres */
 
 typedef struct ldt {
     murk_luminaire_text text;
@@ -283,8 +284,8 @@ static murk_status read_table(ldt *f)
     /* Without symmetry the first plane closes the turn. */
     const bool is_closed = f->out->symmetry == MURK_SYMMETRY_NONE;
     murk_luminaire_table *t = &f->table;
-    status = murk_luminaire_table_create(t, f->gammas, n + is_closed,
-                                         f->text.path, f->text.err);
+    status = murk_luminaire_table_create(t, f->gammas, n + is_closed, &f->text,
+                                         GAMMAS_LINE);
     for (size_t i = 0; i < n && !status; ++i) {
         t->plane_deg[i] = angle_of(f, first, i);
     }

@@ -263,8 +263,11 @@ static murk_status read_numbers(ies *f, numbers *n)
         (s = murk_luminaire_text_count(t, "number of vertical angles", 2,
                                        ANGLES_MAX, &verticals)) ||
         (s = murk_luminaire_text_count(t, "number of horizontal angles", 1,
-                                       ANGLES_MAX, &planes)) ||
-        (s = murk_luminaire_text_count(t, "photometric type", 1, 3,
+                                       ANGLES_MAX, &planes))) {
+        return s;
+    }
+    const size_t counts_line = t->word_line;
+    if ((s = murk_luminaire_text_count(t, "photometric type", 1, 3,
                                        &n->type)) ||
         (s = murk_luminaire_text_count(t, "units type", 1, 2, &n->units)) ||
         (s = murk_luminaire_text_number(t, "width", -LENGTH_MAX, LENGTH_MAX,
@@ -295,8 +298,8 @@ static murk_status read_numbers(ies *f, numbers *n)
             t, line, "lumens per lamp: %.10g, must be 0 or more, or -1",
             n->lumens);
     }
-    return murk_luminaire_table_create(&f->table, verticals, planes, t->path,
-                                       t->err);
+    return murk_luminaire_table_create(&f->table, verticals, planes, t,
+                                       counts_line);
 }
 
 static void use_numbers(ies *f, const numbers *n)

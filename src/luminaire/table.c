@@ -9,13 +9,13 @@
 
 murk_status murk_luminaire_table_create(murk_luminaire_table *out,
                                         size_t verticals, size_t planes,
-                                        const char *where, murk_error *err)
+                                        const murk_luminaire_text *text,
+                                        size_t line)
 {
     if (verticals > MURK_INTENSITY_VALUES_MAX / COPIES_MAX / (planes + 1)) {
-        return murk_fail(err, MURK_BAD_FILE, where,
-                         "%zu times %zu angles, must be at most %d values",
-                         verticals, planes,
-                         MURK_INTENSITY_VALUES_MAX / COPIES_MAX);
+        return murk_luminaire_text_fail(
+            text, line, "%zu times %zu angles, must be at most %d values",
+            verticals, planes, MURK_INTENSITY_VALUES_MAX / COPIES_MAX);
     }
     *out = (murk_luminaire_table){.verticals = verticals, .planes = planes};
     out->vertical_deg = calloc(verticals + 1, sizeof *out->vertical_deg);
@@ -23,7 +23,7 @@ murk_status murk_luminaire_table_create(murk_luminaire_table *out,
     out->candela = calloc(verticals * planes + 1, sizeof *out->candela);
     return out->vertical_deg && out->plane_deg && out->candela
                ? MURK_OK
-               : murk_no_memory(err, where, "for %zu intensities",
+               : murk_no_memory(text->err, text->path, "for %zu intensities",
                                 verticals * planes);
 }
 

@@ -4,6 +4,7 @@
 #define MURK_LUMINAIRE_TABLE_H
 
 #include "luminaire/luminaire.h"
+#include "luminaire/text.h"
 
 /* Begins as zeros; the arrays belong to the struct. */
 typedef struct murk_luminaire_table {
@@ -12,12 +13,13 @@ typedef struct murk_luminaire_table {
     double *candela;                  /* [planes * verticals] */
 } murk_luminaire_table;
 
-/* Allocates the arrays. Fails with MURK_BAD_FILE at `where` if the table is too
- * large (MURK_INTENSITY_VALUES_MAX after unfolding), and with MURK_NO_MEMORY.
- */
+/* Allocates the arrays. Fails with MURK_BAD_FILE at the line if the table is
+ * too large (MURK_INTENSITY_VALUES_MAX after unfolding), and with
+ * MURK_NO_MEMORY. */
 murk_status murk_luminaire_table_create(murk_luminaire_table *out,
                                         size_t verticals, size_t planes,
-                                        const char *where, murk_error *err);
+                                        const murk_luminaire_text *text,
+                                        size_t line);
 void murk_luminaire_table_release(murk_luminaire_table *table);
 
 /* Unfolds the table by out->symmetry and out->type into out->intensity. The

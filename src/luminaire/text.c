@@ -128,8 +128,12 @@ static murk_status read_word(murk_luminaire_text *text, const char *what,
             text, text->line, "%s: %s, must be a number", what,
             text->next >= text->end ? "the file ends" : "two commas");
     }
-    snprintf(word, size, "%.*s", (int)(length < size ? length : size - 1),
-             text->next);
+    if (length >= size) {
+        return murk_luminaire_text_fail(
+            text, text->line, "%s: %zu bytes, must be a number of at most %zu",
+            what, length, size - 1);
+    }
+    snprintf(word, size, "%.*s", (int)length, text->next);
     text->next += length;
     pass_blanks(text);
     if (*text->next == ',') {

@@ -275,8 +275,27 @@ static void test_refusals_of_lm_63(void)
             "4 behind the last value");
     refused(HEAD ROUND "0 45 90\n0\n0 0 0\n", "a.ies", "0 lm");
     refused(HEAD ROUND "0 45 90\n0\n1,,2 3\n", "a.ies:9", "two commas");
-    refused(HEAD "1 1 1 100000 100000 1 2 0 0 0 1 1 1\n", "a.ies",
+    refused(HEAD "1 1 1 100000\n100000 1 2 0 0 0\n1 1 1\n", "a.ies:6",
             "must be at most");
+}
+
+/* A number of 63 characters is read; a longer one is refused, and not read up
+ * to its 63rd character. */
+static void test_long_numbers(void)
+{
+    char table[200];
+    for (int zeros = 59; zeros <= 62; ++zeros) {
+        snprintf(table, sizeof table, "0 45 90\n0\n1 %0*d%s 0\n", zeros, 2,
+                 zeros == 59 ? ".5e0" : ".5e1");
+        if (zeros == 59) {
+            murk_luminaire *lamp = good(ies(HEAD, ROUND, table));
+            CHECK(lamp && fabs(at(lamp, 45, 0) - 2.5 * .9) < 1e-12);
+            murk_luminaire_destroy(lamp);
+        } else {
+            refused(ies(HEAD, ROUND, table), "a.ies:9",
+                    "must be a number of at most 63");
+        }
+    }
 }
 
 /* Blanks, commas, tabs and all kinds of line ends; Ctrl-Z at the end. */
@@ -438,6 +457,7 @@ int main(void)
     test_apertures();
     test_tilt();
     test_refusals_of_lm_63();
+    test_long_numbers();
     test_separators();
     test_symmetries_of_eulumdat();
     test_refusals_of_eulumdat();
