@@ -13,15 +13,11 @@
 #include "luminaire/text.h"
 
 /* Ranges of numbers: what lies beyond is a mistake. */
-#define PLANES_MAX  721.0
-#define GAMMAS_MAX  1801.0
-#define SETS_MAX    20.0
-#define LUMENS_MAX  1e9
-#define CANDELA_MAX 1e12
-#define LENGTH_MAX  1e7 /* mm */
-#define WATTS_MAX   1e9
-#define FACTOR_MIN  1e-9
-#define FACTOR_MAX  1e9
+#define PLANES_MAX 721.0
+#define GAMMAS_MAX 1801.0
+#define SETS_MAX   20.0
+#define LUMENS_MAX 1e9
+#define LENGTH_MAX 1e7 /* mm */
 
 #define GAMMAS_LINE 6     /* has the number of gamma angles */
 #define RATIOS      10    /* direct ratios, which only indoor planning needs */
@@ -152,7 +148,8 @@ static murk_status read_lamps(ldt *f)
             (s = skip(f, "colour of the lamps")) ||
             (s = skip(f, "colour rendering of the lamps")) ||
             (s = murk_luminaire_text_field(&f->text, "watts of the lamps", true,
-                                           0, WATTS_MAX, &watts))) {
+                                           0, MURK_LUMINAIRE_WATTS_MAX,
+                                           &watts))) {
             return s;
         }
         f->lumens += lumens;
@@ -178,8 +175,8 @@ static murk_status read_head(ldt *f)
         (s = check(f, "distance of gamma angles")) || (s = read_names(f)) ||
         (s = read_sizes(f)) || (s = check(f, "downward flux fraction")) ||
         (s = number(f, "light output ratio", 0, 1e6, &f->light_output_ratio)) ||
-        (s = number(f, "conversion factor", FACTOR_MIN, FACTOR_MAX,
-                    &f->conversion)) ||
+        (s = number(f, "conversion factor", MURK_LUMINAIRE_FACTOR_MIN,
+                    MURK_LUMINAIRE_FACTOR_MAX, &f->conversion)) ||
         (s = check(f, "tilt during measurement"))) {
         return s;
     }
@@ -298,7 +295,8 @@ static murk_status read_table(ldt *f)
         }
     }
     for (size_t i = 0; i < n * f->gammas && !status; ++i) {
-        status = number(f, "intensity", 0, CANDELA_MAX, &t->candela[i]);
+        status = number(f, "intensity", 0, MURK_LUMINAIRE_CANDELA_MAX,
+                        &t->candela[i]);
     }
     if (!status && is_closed) {
         t->plane_deg[n] = 360;

@@ -15,7 +15,6 @@
 #include <strings.h>
 
 #include "base/file.h"
-#include "base/log.h"
 #include "base/memory_files.h"
 #include "base/words.h"
 #include "luminaire/photometric_file.h"
@@ -24,13 +23,13 @@
 #define FOOT_M 0.3048 /* exactly */
 
 /* Ranges of numbers: what lies beyond is a mistake. */
-#define ANGLES_MAX  100000.0
-#define CANDELA_MAX 1e12
-#define FACTOR_MIN  1e-9
-#define FACTOR_MAX  1e9
-#define LENGTH_MAX  1e4
-#define WATTS_MAX   1e9
-#define LAMPS_MAX   1e6
+#define ANGLES_MAX 100000.0
+#define LENGTH_MAX 1e4
+#define LAMPS_MAX  1e6
+
+/* Planes at 0 and 360 degrees that differ by less, relative to the largest
+ * intensity, are one plane that was measured or rounded twice. */
+#define SEAM_MAX 0.02
 
 /* The first lines of the versions, and the year of each. A file with none of
  * them is of 1986. */
@@ -144,6 +143,15 @@ static murk_status read_tilt(ies *f, murk_luminaire_text *text)
     size_t geometry;
     murk_status status = murk_luminaire_text_count(
         text, "lamp-to-luminaire geometry", 1, 3, &geometry);
+    if (!status && geometry > 1) {
+        murk_luminaire_text_warn(
+            text, text->word_line,
+            "lamp-to-luminaire geometry %zu, a horizontal lamp: the factors "
+            "are "
+            "taken by the angle between the aim and straight down, about "
+            "whichever axis the luminaire is tilted",
+            geometry);
+    }
     if (!status) {
         status = murk_luminaire_text_count(text, "number of tilt angles", 1,
                                            MURK_TILTS_MAX, &out->tilts);
@@ -157,7 +165,8 @@ static murk_status read_tilt(ies *f, murk_luminaire_text *text)
         }
     }
     for (size_t i = 0; i < out->tilts && !status; ++i) {
-        status = murk_luminaire_text_number(text, "tilt factor", 0, FACTOR_MAX,
+        status = murk_luminaire_text_number(text, "tilt factor", 0,
+                                            MURK_LUMINAIRE_FACTOR_MAX,
                                             &out->tilt_factor[i]);
     }
     return status;
@@ -211,9 +220,19 @@ static murk_status find_tilt(ies *f)
 
 /* Reads lamps and factors; the size is in the units of the file. */
 typedef struct numbers {
+    size_t line; /* of the first one */
     size_t lamps, type, units;
     double lumens, multiplier, width, length, height, ballast, photometric;
 } numbers;
+
+/* True for a vertical disc: one side is 0, and width or length and the height
+ * are negative (LM-63-02, table 1). */
+static bool is_upright_disc(double width, double length, double height,
+                            int year)
+{
+    return year >= 2002 && height < 0 && (width == 0 || length == 0) &&
+           (width < 0 || length < 0);
+}
 
 /* Sets the opening from width, length and height [m], whose signs tell the
  * shape (LM-63-1995, table 2; LM-63-02, table 1). The opening is what is seen
@@ -224,7 +243,11 @@ static void set_aperture(murk_luminaire *out, double width, double length,
     const double w = fabs(width), l = fabs(length), h = fabs(height);
     const bool is_round = width < 0 || length < 0;
     out->height_m = h;
-    if (is_round && width <= 0 && length <= 0) {
+    if (is_upright_disc(width, length, height, year)) {
+        out->aperture = MURK_APERTURE_RECT; /* a line, as seen from below */
+        out->along_c0_m = l;
+        out->along_c90_m = w;
+    } else if (is_round && width <= 0 && length <= 0) {
         /* a circle; with both sides an ellipse */
         out->aperture = MURK_APERTURE_DISC;
         out->along_c0_m = w > 0 && l > 0 ? sqrt(w * l) : w + l;
@@ -250,16 +273,18 @@ static void set_aperture(murk_luminaire *out, double width, double length,
 static murk_status read_numbers(ies *f, numbers *n)
 {
     murk_luminaire_text *t = &f->text;
-    const size_t line = t->line;
     size_t verticals, planes;
-    double third_min = FACTOR_MIN;
+    double third_min = MURK_LUMINAIRE_FACTOR_MIN;
     murk_status s;
+    n->line = t->line;
     if ((s = murk_luminaire_text_count(t, "number of lamps", 1, LAMPS_MAX,
                                        &n->lamps)) ||
-        (s = murk_luminaire_text_number(t, "lumens per lamp", -1, CANDELA_MAX,
+        (s = murk_luminaire_text_number(t, "lumens per lamp", -1,
+                                        MURK_LUMINAIRE_CANDELA_MAX,
                                         &n->lumens)) ||
-        (s = murk_luminaire_text_number(t, "candela multiplier", FACTOR_MIN,
-                                        FACTOR_MAX, &n->multiplier)) ||
+        (s = murk_luminaire_text_number(
+             t, "candela multiplier", MURK_LUMINAIRE_FACTOR_MIN,
+             MURK_LUMINAIRE_FACTOR_MAX, &n->multiplier)) ||
         (s = murk_luminaire_text_count(t, "number of vertical angles", 2,
                                        ANGLES_MAX, &verticals)) ||
         (s = murk_luminaire_text_count(t, "number of horizontal angles", 1,
@@ -276,8 +301,9 @@ static murk_status read_numbers(ies *f, numbers *n)
                                         &n->length)) ||
         (s = murk_luminaire_text_number(t, "height", -LENGTH_MAX, LENGTH_MAX,
                                         &n->height)) ||
-        (s = murk_luminaire_text_number(t, "ballast factor", FACTOR_MIN,
-                                        FACTOR_MAX, &n->ballast))) {
+        (s = murk_luminaire_text_number(
+             t, "ballast factor", MURK_LUMINAIRE_FACTOR_MIN,
+             MURK_LUMINAIRE_FACTOR_MAX, &n->ballast))) {
         return s;
     }
     /* The next number is a factor up to 2002, and a code in 2019. */
@@ -288,14 +314,15 @@ static murk_status read_numbers(ies *f, numbers *n)
              t,
              f->year >= 2019 ? "file generation type"
                              : "ballast-lamp photometric factor",
-             third_min, FACTOR_MAX, &n->photometric)) ||
-        (s = murk_luminaire_text_number(t, "input watts", 0, WATTS_MAX,
+             third_min, MURK_LUMINAIRE_FACTOR_MAX, &n->photometric)) ||
+        (s = murk_luminaire_text_number(t, "input watts", 0,
+                                        MURK_LUMINAIRE_WATTS_MAX,
                                         &f->out->input_w))) {
         return s;
     }
     if (n->lumens < 0 && n->lumens != -1) {
         return murk_luminaire_text_fail(
-            t, line, "lumens per lamp: %.10g, must be 0 or more, or -1",
+            t, n->line, "lumens per lamp: %.10g, must be 0 or more, or -1",
             n->lumens);
     }
     return murk_luminaire_table_create(&f->table, verticals, planes, t,
@@ -310,6 +337,11 @@ static void use_numbers(ies *f, const numbers *n)
     f->out->type = (murk_goniometer)n->type;
     f->out->lamp_lumens = n->lumens > 0 ? (double)n->lamps * n->lumens : NAN;
     f->out->declared_lumens = f->out->lamp_lumens;
+    if (is_upright_disc(n->width, n->length, n->height, f->year)) {
+        murk_luminaire_text_warn(&f->text, n->line,
+                                 "the luminous area is a vertical disc, which "
+                                 "size: file takes as a horizontal line");
+    }
     set_aperture(f->out, n->width * unit_m, n->length * unit_m,
                  n->height * unit_m, f->year);
 }
@@ -368,19 +400,25 @@ static murk_status find_symmetry(ies *f)
     return MURK_OK;
 }
 
-/* Warns of vertical angles that do not reach the ends that LM-63 asks for: what
- * lies beyond is dark. */
-static void warn_of_range(const ies *f)
+/* Warns if the planes at 0 and 360 degrees, which are one plane, differ by more
+ * than the digits of a file explain: the intensity jumps there. `line` is that
+ * of the last plane. */
+static void warn_of_seam(const ies *f, size_t line)
 {
     const murk_luminaire_table *t = &f->table;
-    const double first = t->vertical_deg[0],
-                 last = t->vertical_deg[t->verticals - 1];
-    if (f->out->type == MURK_GONIOMETER_C &&
-        !((first == 0 || first == 90) && (last == 90 || last == 180))) {
-        murk_warn(f->text.path,
-                  "vertical angles %g..%g, LM-63 has 0..90, 0..180 or 90..180: "
-                  "the luminaire is taken as dark beyond",
-                  first, last);
+    const double *first = t->candela,
+                 *last = t->candela + t->verticals * (t->planes - 1);
+    double largest = 0, off = 0;
+    for (size_t i = 0; i < t->verticals; ++i) {
+        largest = fmax(largest, fmax(first[i], last[i]));
+        off = fmax(off, fabs(first[i] - last[i]));
+    }
+    if (off > SEAM_MAX * largest) {
+        murk_luminaire_text_warn(
+            &f->text, line,
+            "the plane at 360 degrees differs from that at 0 degrees by up to "
+            "%.3g %% of the largest intensity, must be the same plane",
+            100 * off / largest);
     }
 }
 
@@ -388,6 +426,7 @@ static murk_status read_table(ies *f)
 {
     const bool is_c = f->out->type == MURK_GONIOMETER_C;
     murk_luminaire_table *t = &f->table;
+    size_t last_line = 0;
     murk_status status =
         read_angles(f, "vertical angle", is_c ? 0 : -90, is_c ? 180 : 90,
                     t->vertical_deg, t->verticals);
@@ -400,7 +439,14 @@ static murk_status read_table(ies *f)
     }
     for (size_t i = 0; i < t->verticals * t->planes && !status; ++i) {
         status = murk_luminaire_text_number(&f->text, "intensity", 0,
-                                            CANDELA_MAX, &t->candela[i]);
+                                            MURK_LUMINAIRE_CANDELA_MAX,
+                                            &t->candela[i]);
+        if (i == t->verticals * (t->planes - 1)) {
+            last_line = f->text.word_line;
+        }
+    }
+    if (!status && is_c && f->out->symmetry == MURK_SYMMETRY_NONE) {
+        warn_of_seam(f, last_line);
     }
     return status ? status : murk_luminaire_text_end(&f->text);
 }
@@ -422,7 +468,6 @@ murk_status murk_luminaire_read_ies(murk_luminaire *out, const char *path,
         snprintf(out->format, sizeof out->format, "LM-63-%d", f.year);
         out->verticals = f.table.verticals;
         out->horizontals = f.table.planes;
-        warn_of_range(&f);
         status = murk_luminaire_unfold(out, &f.table, f.scale, path, err);
     }
 done:

@@ -63,11 +63,13 @@ void murk_luminaire_destroy(murk_luminaire *luminaire); /* NULL is fine */
 
 /* The factor of the flux of a luminaire that points `tilt_deg` away from
  * straight down: linear between the angles of the TILT data, constant beyond
- * them, 1 without such data. */
+ * them, 1 without such data. The axis of the tilt does not count, which is
+ * exact for a vertical lamp (lamp-to-luminaire geometry 1 of LM-63); the
+ * reader warns of horizontal lamps. */
 double murk_luminaire_tilt_factor(const murk_luminaire *luminaire,
                                   double tilt_deg);
 
-/* The words of check: "axial", "C0-C180". */
+/* The words of check, such as "symmetry about the axis". */
 const char *murk_luminaire_symmetry_name(murk_luminaire_symmetry symmetry);
 /* "C", "B", "A" */
 const char *murk_luminaire_type_name(murk_goniometer type);

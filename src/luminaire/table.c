@@ -4,6 +4,8 @@
 
 #include <stdlib.h>
 
+#include "base/log.h"
+
 /* No symmetry makes more than four planes of one. */
 #define COPIES_MAX 4
 
@@ -87,6 +89,40 @@ static void list_planes(unfolded *u, const murk_luminaire_table *table,
     }
 }
 
+/* True if angles reach from one of the starts to one of the ends of whole
+ * files: those of the poles and of the plane between them. */
+static bool is_whole(const double *deg, size_t n, const double start[2],
+                     const double end[2])
+{
+    return (deg[0] == start[0] || deg[0] == start[1]) &&
+           (deg[n - 1] == end[0] || deg[n - 1] == end[1]);
+}
+
+/* Warns of angles that stop early: the luminaire is dark beyond them. */
+static void warn_of_range(murk_goniometer type, const murk_intensity_grid *grid,
+                          const char *where)
+{
+    static const double start[2] = {0, 90}, end[2] = {90, 180},
+                        side_start[2] = {-90, 0}, side_end[2] = {0, 90};
+    const bool is_c = type == MURK_GONIOMETER_C;
+    const double *v = grid->vertical_deg, *h = grid->horizontal_deg;
+    const size_t n = grid->verticals, m = grid->horizontals;
+    if (!is_whole(v, n, is_c ? start : side_start, is_c ? end : side_end)) {
+        murk_warn(where,
+                  "vertical angles %g..%g, whole files have %s: the luminaire "
+                  "is taken as dark beyond",
+                  v[0], v[n - 1],
+                  is_c ? "0..90, 0..180 or 90..180"
+                       : "-90..90, -90..0 or 0..90");
+    }
+    if (!is_c && !is_whole(h, m, side_start, side_end)) {
+        murk_warn(where,
+                  "horizontal angles %g..%g, whole files have -90..90: the "
+                  "luminaire is taken as dark beyond",
+                  h[0], h[m - 1]);
+    }
+}
+
 murk_status murk_luminaire_unfold(murk_luminaire *out,
                                   const murk_luminaire_table *table,
                                   double scale, const char *where,
@@ -111,6 +147,9 @@ murk_status murk_luminaire_unfold(murk_luminaire *out,
                                       .candela = table->candela,
                                       .scale = scale};
     status = murk_intensity_create(&out->intensity, &grid, where, err);
+    if (!status) {
+        warn_of_range(out->type, &grid, where);
+    }
 done:
     free(u.deg);
     free(u.plane);

@@ -6,6 +6,12 @@
 #include "luminaire/luminaire.h"
 #include "luminaire/text.h"
 
+/* Ranges of numbers in both formats: what lies beyond is a mistake. */
+#define MURK_LUMINAIRE_CANDELA_MAX 1e12
+#define MURK_LUMINAIRE_FACTOR_MIN  1e-9
+#define MURK_LUMINAIRE_FACTOR_MAX  1e9
+#define MURK_LUMINAIRE_WATTS_MAX   1e9
+
 /* Begins as zeros; the arrays belong to the struct. */
 typedef struct murk_luminaire_table {
     size_t verticals, planes;
@@ -25,7 +31,8 @@ void murk_luminaire_table_release(murk_luminaire_table *table);
 /* Unfolds the table by out->symmetry and out->type into out->intensity. The
  * planes begin and end as the symmetry asks: axial: one plane; C0-C180: 0..180;
  * C90-C270: half a turn from one of both; quadrant: 0..90; none: one full turn;
- * left-right: from 0. Fails as murk_intensity_create(). */
+ * left-right: from 0. Warns of angles that stop early. Fails as
+ * murk_intensity_create(). */
 murk_status murk_luminaire_unfold(murk_luminaire *out,
                                   const murk_luminaire_table *table,
                                   double scale, const char *where,

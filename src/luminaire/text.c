@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/log.h"
 #include "base/number.h"
 #include "base/words.h"
 
@@ -54,6 +55,18 @@ murk_status murk_luminaire_text_fail(const murk_luminaire_text *text,
     va_end(args);
     snprintf(where, sizeof where, "%.290s:%zu", text->path, line);
     return murk_fail(text->err, MURK_BAD_FILE, where, "%s", message);
+}
+
+void murk_luminaire_text_warn(const murk_luminaire_text *text, size_t line,
+                              const char *format, ...)
+{
+    char where[320], message[256];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    snprintf(where, sizeof where, "%.290s:%zu", text->path, line);
+    murk_warn(where, "%s", message);
 }
 
 static bool is_blank(char c)

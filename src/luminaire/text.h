@@ -29,6 +29,11 @@ murk_status murk_luminaire_text_fail(const murk_luminaire_text *text,
                                      size_t line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* Warns at "PATH:LINE". */
+void murk_luminaire_text_warn(const murk_luminaire_text *text, size_t line,
+                              const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* The next line without the line end and without blanks around it, and the
  * number of the line. The line is cut out of the text. Returns NULL at the end
  * of the text. */

@@ -195,6 +195,9 @@ static void test_apertures(void)
         {"2002", "2 -.4 .9 -.4", MURK_APERTURE_RECT, .9, .4},
         {"1995", "2 0 .9 -.2", MURK_APERTURE_RECT, .9, .2},
         {"2002", "2 -.2 -.2 -.2", MURK_APERTURE_DISC, .2, 0},
+        {"2002", "2 -.4 0 -.4", MURK_APERTURE_RECT, 0, .4},
+        {"2002", "2 0 -.4 -.4", MURK_APERTURE_RECT, .4, 0},
+        {"1995", "2 -.4 0 -.4", MURK_APERTURE_DISC, .4, 0},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
         /* units, width, length, height */
@@ -447,6 +450,80 @@ static void test_refusals_of_eulumdat(void)
     murk_luminaire_destroy(lamp);
 }
 
+/* ---- warnings ---- */
+
+static char warned[600];
+
+static void note_warning(const char *where, const char *text)
+{
+    const size_t n = strlen(warned);
+    snprintf(warned + n, sizeof warned - n, "%s: %s\n", where, text);
+}
+
+/* The file is read with one warning that has those words, or with none. */
+static void check_warning(const char *path, const char *text, const char *words)
+{
+    murk_error err;
+    warned[0] = '\0';
+    murk_warn_to(note_warning);
+    murk_luminaire *lamp = parse(path, text, &err);
+    murk_warn_to(NULL);
+    CHECK_TEXT(err.text, "");
+    if (words) {
+        CHECK_MENTIONS(warned, words);
+        CHECK(strchr(warned, '\n') == strrchr(warned, '\n'));
+    } else {
+        CHECK_TEXT(warned, "");
+    }
+    murk_luminaire_destroy(lamp);
+}
+
+#define FULL_TURN "1 1 1 2 3 1 2 0 0 0\n1 1 1\n0 90\n0 180 360\n100 8\n100 9\n"
+
+#define LAST_GAMMA 79 /* the line of the last gamma angle */
+
+static void test_warnings(void)
+{
+    /* The planes at 0 and 360 degrees are one plane. */
+    check_warning("a.ies", HEAD FULL_TURN "100 9.9\n", NULL);
+    check_warning("a.ies", HEAD FULL_TURN "100 11\n",
+                  "a.ies:11: the plane at 360 degrees differs from that at 0 "
+                  "degrees by up to 3 %");
+    /* Angles that stop early. */
+    check_warning("a.ies", HEAD ROUND "0 45 85\n0\n3 2 1\n",
+                  "a.ies: vertical angles 0..85");
+    check_warning("a.ies", HEAD ROUND TABLE, NULL);
+    check_warning("a.ldt", ldt(4, "1"), NULL);
+    check_warning("a.ldt", changed(LAST_GAMMA, "175"),
+                  "a.ldt: vertical angles 0..175");
+    for (int type = 2; type <= 3; ++type) {
+        static const struct {
+            const char *angles, *words;
+        } known[] = {
+            {"-90 90\n0 90", NULL},
+            {"-90 90\n-90 90", NULL},
+            {"-30 90\n0 90", "a.ies: vertical angles -30..90"},
+            {"-90 90\n0 45", "a.ies: horizontal angles -45..45"},
+            {"-90 90\n-20 90", "a.ies: horizontal angles -20..90"},
+        };
+        for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
+            char text[400];
+            snprintf(text, sizeof text,
+                     HEAD "1 1 1 2 2 %d 2 0 0 0\n1 1 1\n%s\n1 2\n3 4\n", type,
+                     known[i].angles);
+            check_warning("a.ies", text, known[i].words);
+        }
+    }
+    /* Horizontal lamps, and vertical discs. */
+    check_warning("a.ies",
+                  "IESNA91\nTILT=INCLUDE\n1\n3\n0 30 90\n1 .9 .6\n" ROUND TABLE,
+                  NULL);
+    check_warning("a.ies", "IESNA91\nTILT=INCLUDE\n" TILT ROUND TABLE,
+                  "a.ies:3: lamp-to-luminaire geometry 2");
+    check_warning("a.ies", HEAD "1 1 1 3 1 1 2 -.4 0 -.4\n1 1 1\n" TABLE,
+                  "a.ies:5: the luminous area is a vertical disc");
+}
+
 int main(void)
 {
     murk_warn_to(NULL);
@@ -461,5 +538,6 @@ int main(void)
     test_separators();
     test_symmetries_of_eulumdat();
     test_refusals_of_eulumdat();
+    test_warnings();
     return check_done();
 }
