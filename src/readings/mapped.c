@@ -202,8 +202,24 @@ static murk_status number_of(const maker *m, const murk_mapping_rule *rule,
     return MURK_OK;
 }
 
+/* Fails at a rule whose number is not 0 or more: at the cell of the file, or at
+ * the constant of the mapping. */
+static murk_status fail_negative(const maker *m, const murk_mapping_rule *rule,
+                                 size_t row, long column)
+{
+    static const char what[] = "a standard error must be 0 or more";
+    char where[320];
+    if (!rule->constant) {
+        return fail_cell(m, row, column, what);
+    }
+    murk_yaml_place(rule->node, where, sizeof where);
+    return murk_fail(m->err, MURK_BAD_VALUE, where, "%.40s, %s", rule->constant,
+                     what);
+}
+
 /* The standard error: of the column, and a share of the value, combined; but
- * not below at_least. */
+ * not below at_least. A negative one is refused here, as neither the root of
+ * squares nor the maximum would show its sign. */
 static murk_status error_of(const maker *m, const murk_mapping_rule *rule,
                             size_t row, long column, double value, double *out)
 {
@@ -211,6 +227,9 @@ static murk_status error_of(const maker *m, const murk_mapping_rule *rule,
     const murk_status status = rule->constant || column >= 0
                                    ? number_of(m, rule, row, column, &stated)
                                    : MURK_OK;
+    if (!status && !(stated >= 0)) {
+        return fail_negative(m, rule, row, column);
+    }
     const double share = rule->relative * fabs(value);
     *out = share > 0 ? hypot(stated, share) : stated;
     *out = fmax(*out, rule->at_least);
@@ -312,7 +331,7 @@ static murk_status add_reading(maker *m, size_t e, size_t row)
     const murk_mapping_entry *entry = &m->out->mapping.entry[e];
     const long *column = m->column + e * MURK_READING_COLUMNS;
     murk_table *table = &m->out->table;
-    double value, error;
+    double value = 0, error = 0;
     char *error_text;
     murk_status status = reserve(m);
     if (status) {

@@ -331,6 +331,15 @@ static void test_mappings_are_refused(void)
         {MAP "readings: [{" POINT
              "value: {column: v, factor: 1e308}, standard_error: 1}]\n",
          "data:2: value", "must be a number"},
+        {MAP "readings: [{" POINT "value: 1, standard_error: {column: v, "
+             "factor: -1, at_least: 0.005}}]\n",
+         "data:2: v", "20, a standard error must be 0 or more"},
+        {MAP "readings: [{" POINT "value: 1, standard_error: {column: v, "
+             "offset: -4, relative: 1}}]\n",
+         "data:3: v", "3, a standard error must be 0 or more"},
+        {MAP "readings: [{" POINT "value: {column: v}, standard_error: -1, "
+             "average: true}]\n",
+         "map.yaml:3:91", "-1, a standard error must be 0 or more"},
         {"murk_readings: 1\nfile: none\nreadings: [{" POINT
          "value: 1, standard_error: 1}]\n",
          "none", "cannot read"},
