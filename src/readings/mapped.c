@@ -13,6 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A limit against hostile files, of a few seconds: how often a cell of the file
+ * may be compared or converted. A year of measurements, one every ten minutes,
+ * takes 1e6 for the values at twenty wavelengths. */
+#define LOOKS_MAX 10000000
+
 /* The mean of the rows of an averaged entry so far. */
 typedef struct average {
     size_t rows;
@@ -30,6 +35,9 @@ typedef struct maker {
     average *average; /* [mapping.n] */
     long *column;     /* [mapping.n][MURK_READING_COLUMNS]; source columns of
                        * the rules, -1: none */
+    long *selected; /* [1 + mapping.n][MURK_MAPPING_SELECT_MAX]; source columns
+                     * of the selection of all entries, then of each entry */
+    size_t looks;   /* at cells of the file so far, as LOOKS_MAX bounds them */
     size_t left_out, first_left_out; /* readings; line of the first */
     murk_error *err;
 } maker;
@@ -96,24 +104,27 @@ static murk_status check_units(const maker *m, const murk_mapping_rule *rule,
                            rule->unit, file->unit_line, m->source->path, found);
 }
 
-/* Finds the columns of all rules, and checks those of selections. */
+static murk_status find_selected(const maker *m,
+                                 const murk_mapping_selection *select,
+                                 long *column)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < select->n && !status; ++i) {
+        const murk_mapping_select *item = &select->item[i];
+        status = find_column(m, item->node, item->column, &column[i]);
+    }
+    return status;
+}
+
+/* Finds the columns of all selections and rules. */
 static murk_status find_columns(maker *m)
 {
     const murk_mapping *mapping = &m->out->mapping;
-    murk_status status = MURK_OK;
-    long unused;
-    /* The selection of all entries. */
-    for (size_t i = 0; i < mapping->select.n && !status; ++i) {
-        const murk_mapping_select *item = &mapping->select.item[i];
-        status = find_column(m, item->node, item->column, &unused);
-    }
-    /* Each entry: selection and rules. */
+    murk_status status = find_selected(m, &mapping->select, m->selected);
     for (size_t e = 0; e < mapping->n && !status; ++e) {
         const murk_mapping_entry *entry = &mapping->entry[e];
-        for (size_t i = 0; i < entry->select.n && !status; ++i) {
-            const murk_mapping_select *item = &entry->select.item[i];
-            status = find_column(m, item->node, item->column, &unused);
-        }
+        status = find_selected(m, &entry->select,
+                               m->selected + (1 + e) * MURK_MAPPING_SELECT_MAX);
         for (size_t c = 0; c < MURK_READING_COLUMNS && !status; ++c) {
             const murk_mapping_rule *rule = &entry->rule[c];
             long *column = &m->column[e * MURK_READING_COLUMNS + c];
@@ -150,15 +161,14 @@ static bool is_missing(const maker *m, const char *cell)
 }
 
 /* True if a row is one of a selection. A cell that is no number is in no range.
- */
+ * column: of the items. */
 static bool is_selected(const maker *m, const murk_mapping_selection *select,
-                        size_t row)
+                        const long *column, size_t row)
 {
     bool is_in = true;
     for (size_t i = 0; i < select->n && is_in; ++i) {
         const murk_mapping_select *item = &select->item[i];
-        const char *cell =
-            cell_at(m, row, murk_table_column(m->source, item->column));
+        const char *cell = cell_at(m, row, column[i]);
         double a, b;
         const bool is_number = murk_number_parse(cell, &a);
         if (item->text) {
@@ -172,10 +182,11 @@ static bool is_selected(const maker *m, const murk_mapping_selection *select,
     return is_in;
 }
 
-/* Prints a number into memory that lives as long as the table. */
-static char *print(maker *m, double number)
+/* Prints a number into `text`; NULL: into memory that lives as long as the
+ * table. */
+static char *print(maker *m, char *text, double number)
 {
-    char *text = murk_arena_array(&m->out->arena, MURK_NUMBER_SIZE, 1);
+    text = text ? text : murk_arena_array(&m->out->arena, MURK_NUMBER_SIZE, 1);
     if (text) {
         murk_number_print(text, number);
     }
@@ -236,10 +247,11 @@ static murk_status error_of(const maker *m, const murk_mapping_rule *rule,
     return status;
 }
 
-/* Fills one cell of a reading, other than the standard error. */
+/* Fills one cell of a reading, other than the standard error. text: memory for
+ * a number that is converted; NULL: memory that lives as long as the table. */
 static murk_status fill_cell(maker *m, const murk_mapping_rule *rule,
                              murk_reading_column to, size_t row, long column,
-                             char **out)
+                             char *text, char **out)
 {
     double number;
     /* Constants and texts stay as they are. */
@@ -257,7 +269,7 @@ static murk_status fill_cell(maker *m, const murk_mapping_rule *rule,
         return status;
     }
     const bool is_same = rule->factor == 1 && rule->offset == 0;
-    *out = is_same ? (char *)cell_at(m, row, column) : print(m, number);
+    *out = is_same ? (char *)cell_at(m, row, column) : print(m, text, number);
     return *out ? MURK_OK : no_memory(m);
 }
 
@@ -325,24 +337,27 @@ static murk_status add_to_average(maker *m, size_t e, size_t row, char **cell,
     return MURK_OK;
 }
 
-/* Adds what an entry makes of a row. */
+/* Adds what an entry makes of a row: a reading of its own, or the first or a
+ * further row of an average. */
 static murk_status add_reading(maker *m, size_t e, size_t row)
 {
     const murk_mapping_entry *entry = &m->out->mapping.entry[e];
     const long *column = m->column + e * MURK_READING_COLUMNS;
     murk_table *table = &m->out->table;
+    average *a = &m->average[e];
+    const bool is_new = a->rows == 0;
+    char text[MURK_READING_COLUMNS][MURK_NUMBER_SIZE];
+    char *cell[MURK_READING_COLUMNS];
     double value = 0, error = 0;
-    char *error_text;
-    murk_status status = reserve(m);
-    if (status) {
-        return status;
-    }
-    /* Fill the cells behind the last reading. */
-    char **cell = table->cell + table->rows * table->columns;
+    murk_status status = is_new ? reserve(m) : MURK_OK;
+    /* Only the sums of further rows stay, so their numbers need no memory. The
+     * value of an average is written at the end. */
+    cell[MURK_COLUMN_VALUE] = "";
     for (int c = 0; c < MURK_READING_COLUMNS && !status; ++c) {
-        if (c != MURK_COLUMN_ERROR) {
+        if (c != MURK_COLUMN_ERROR &&
+            !(c == MURK_COLUMN_VALUE && entry->is_averaged)) {
             status = fill_cell(m, &entry->rule[c], (murk_reading_column)c, row,
-                               column[c], &cell[c]);
+                               column[c], is_new ? NULL : text[c], &cell[c]);
         }
     }
     status = status ? status
@@ -354,15 +369,12 @@ static murk_status add_reading(maker *m, size_t e, size_t row)
     if (status) {
         return status;
     }
-    error_text = print(m, error);
-    cell[MURK_COLUMN_ERROR] = error_text;
-    if (!error_text) {
-        return no_memory(m);
-    }
-    /* A reading of its own, or the first or a further one of an average. */
-    average *a = &m->average[e];
-    const bool is_new = !entry->is_averaged || a->rows == 0;
     if (is_new) {
+        cell[MURK_COLUMN_ERROR] = print(m, NULL, error);
+        if (!cell[MURK_COLUMN_ERROR]) {
+            return no_memory(m);
+        }
+        memcpy(table->cell + table->rows * table->columns, cell, sizeof cell);
         a->reading = table->rows;
         table->line[table->rows++] = m->source->line[row];
     }
@@ -385,8 +397,8 @@ static murk_status write_averages(maker *m)
         const double scatter =
             a->rows > 1 ? sqrt(a->sum_of_squares / (n - 1) / n) : 0;
         char **cell = table->cell + a->reading * table->columns;
-        cell[MURK_COLUMN_VALUE] = print(m, a->mean);
-        cell[MURK_COLUMN_ERROR] = print(m, hypot(a->error, scatter));
+        cell[MURK_COLUMN_VALUE] = print(m, NULL, a->mean);
+        cell[MURK_COLUMN_ERROR] = print(m, NULL, hypot(a->error, scatter));
         if (!cell[MURK_COLUMN_VALUE] || !cell[MURK_COLUMN_ERROR]) {
             return no_memory(m);
         }
@@ -394,25 +406,59 @@ static murk_status write_averages(maker *m)
     return MURK_OK;
 }
 
-static murk_status make_readings(maker *m)
+/* Counts the looks at cells of a row that a selection and rules take: for each
+ * column, one at the cell and one for each item of `missing`. */
+static murk_status count_looks(maker *m, const murk_mapping_selection *select,
+                               const long *column, size_t columns)
+{
+    const murk_yaml *missing = m->out->mapping.missing;
+    size_t cells = 1 + select->n;
+    for (size_t c = 0; c < columns; ++c) {
+        cells += column[c] >= 0;
+    }
+    m->looks += cells * (1 + (missing ? missing->n : 0));
+    return m->looks <= LOOKS_MAX
+               ? MURK_OK
+               : murk_fail(m->err, MURK_BAD_FILE, m->source->path,
+                           "too many rows for the entries of the mapping: "
+                           "more than %d looks at cells, make several files "
+                           "of it",
+                           LOOKS_MAX);
+}
+
+/* Adds what all entries make of a row. */
+static murk_status add_row(maker *m, size_t row)
 {
     const murk_mapping *mapping = &m->out->mapping;
-    murk_status status = find_columns(m);
-    for (size_t row = 0; row < m->source->rows && !status; ++row) {
-        if (!is_selected(m, &mapping->select, row)) {
+    murk_status status = MURK_OK;
+    for (size_t e = 0; e < mapping->n && !status; ++e) {
+        const murk_mapping_selection *select = &mapping->entry[e].select;
+        status = count_looks(m, select, m->column + e * MURK_READING_COLUMNS,
+                             MURK_READING_COLUMNS);
+        if (status ||
+            !is_selected(m, select,
+                         m->selected + (1 + e) * MURK_MAPPING_SELECT_MAX,
+                         row)) {
             continue;
         }
-        for (size_t e = 0; e < mapping->n && !status; ++e) {
-            if (!is_selected(m, &mapping->entry[e].select, row)) {
-                continue;
-            }
-            if (lacks(m, e, row)) {
-                m->first_left_out = m->left_out++
-                                        ? m->first_left_out
-                                        : (size_t)m->source->line[row];
-            } else {
-                status = add_reading(m, e, row);
-            }
+        if (lacks(m, e, row)) {
+            m->first_left_out = m->left_out++ ? m->first_left_out
+                                              : (size_t)m->source->line[row];
+        } else {
+            status = add_reading(m, e, row);
+        }
+    }
+    return status;
+}
+
+static murk_status make_readings(maker *m)
+{
+    const murk_mapping_selection *select = &m->out->mapping.select;
+    murk_status status = find_columns(m);
+    for (size_t row = 0; row < m->source->rows && !status; ++row) {
+        status = count_looks(m, select, NULL, 0);
+        if (!status && is_selected(m, select, m->selected, row)) {
+            status = add_row(m, row);
         }
     }
     return status ? status : write_averages(m);
@@ -435,6 +481,9 @@ static murk_status fill(murk_mapped_file *out, size_t max, murk_error *err)
     m.average = murk_arena_array(arena, out->mapping.n, sizeof *m.average);
     m.column = murk_arena_array(arena, out->mapping.n * MURK_READING_COLUMNS,
                                 sizeof *m.column);
+    m.selected =
+        murk_arena_array(arena, (1 + out->mapping.n) * MURK_MAPPING_SELECT_MAX,
+                         sizeof *m.selected);
     if (arena->is_short) {
         return no_memory(&m);
     }

@@ -166,10 +166,50 @@ static void test_too_large(void)
     free(text);
 }
 
+static long peak_kb(void)
+{
+    struct rusage use;
+    getrusage(RUSAGE_SELF, &use);
+    return use.ru_maxrss;
+}
+
+/* Averages over 120,000 rows: those of ten entries are read, in memory that
+ * does not grow with the averaged rows; 100 entries are refused. First of all
+ * tests, because the peak of memory is that of the process. */
+static void test_many_averaged_rows(void)
+{
+    enum { ROWS = 120000, ENTRIES = 100 };
+    static const char head[] = "murk_readings: 1\nfile: data\nreadings:\n",
+                      entry[] = " - {kind: extinction, x_m: {column: a}, y_m: "
+                                "1, z_m: 1, value: {column: b, factor: 1.1}, "
+                                "standard_error: 1, average: true}\n";
+    static char rows[4 + 4 * ROWS + 1];
+    static char map[sizeof head + ENTRIES * sizeof entry];
+    memcpy(rows, "a,b\n", 4);
+    for (size_t i = 0; i < ROWS; ++i) {
+        memcpy(rows + 4 + 4 * i, "1,2\n", 5);
+    }
+    write_text(data_path, rows);
+    memcpy(map, head, sizeof head);
+    for (size_t i = 0; i < ENTRIES; ++i) {
+        memcpy(map + sizeof head - 1 + i * (sizeof entry - 1), entry,
+               sizeof entry);
+    }
+    /* Ten entries, then all. */
+    const size_t before = read_well;
+    const long before_kb = peak_kb();
+    write_bytes(map_path, map, sizeof head - 1 + 10 * (sizeof entry - 1));
+    try_files();
+    CHECK(read_well - before == 1);
+    CHECK(peak_kb() - before_kb < 60000);
+    write_text(map_path, map);
+    try_files();
+    CHECK(read_well - before == 1);
+}
+
 int main(int argc, char **argv)
 {
     const uint64_t files = argc > 1 ? strtoull(argv[1], NULL, 10) : 1000;
-    struct rusage use;
     murk_error err = {0};
     murk_warn_to(NULL);
     CHECK(mkdtemp(folder) != NULL);
@@ -178,13 +218,13 @@ int main(int argc, char **argv)
     CHECK(murk_scene_desc_parse(&scene, SCENE, "s.yaml", NULL, 0, &err) ==
           MURK_OK);
     if (scene) {
+        test_many_averaged_rows();
         test_cut_off_anywhere();
         test_changed_bytes(files);
         test_too_large();
     }
     murk_scene_desc_destroy(scene);
-    getrusage(RUSAGE_SELF, &use);
-    CHECK(use.ru_maxrss < MAX_KB);
+    CHECK(peak_kb() < MAX_KB);
     unlink(map_path);
     unlink(data_path);
     rmdir(folder);

@@ -145,6 +145,11 @@ static void test_averages_keep_the_stated_error(void)
                 "1, value: 1, standard_error: 1, average: true}]\n",
             "x\n1\n1\n2\n", "data:4: x_m",
             "2, but 1 in line 2, must be the same in all rows of an average");
+    refused(MAP "readings: [{kind: extinction, x_m: {column: x, factor: 0.1}, "
+                "y_m: {column: x, factor: 0.3}, z_m: 1, value: {column: x, "
+                "offset: 1}, standard_error: 1, average: true}]\n",
+            "x\n3\n3.0\n4\n", "data:4: x_m",
+            "0.4, but 0.30000000000000004 in line 2, must be the same");
 }
 
 /* ---- AERONET ---- */
