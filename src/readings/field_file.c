@@ -25,6 +25,9 @@
 /* What AERONET writes where there is no measurement. */
 #define AERONET_MISSING (-999.0)
 
+/* Editors of text write it before UTF-8; it means nothing. */
+#define BYTE_ORDER_MARK "\xEF\xBB\xBF"
+
 /* Limits against hostile files, as those of tables. */
 #define COLUMNS_MAX 1000
 #define CELLS_MAX   20000000
@@ -122,10 +125,21 @@ static bool next_line(cursor *at)
     return true;
 }
 
-/* The header's values that are needed; NULL: not given. */
+/* The keys of a header that are needed. The first three state numbers that
+ * stand for no measurement. */
+enum { MISSING, BELOW, ABOVE, FIELDS, UNITS, DELIMITER, KEYS };
+_Static_assert(FIELDS == MURK_FIELD_MISSING_MAX, "a key for each number");
+
+static const char *const KEY[KEYS] = {"missing",
+                                      "below_detection_limit",
+                                      "above_detection_limit",
+                                      "fields",
+                                      "units",
+                                      "delimiter"};
+
 typedef struct header {
-    char *fields, *units, *delimiter;
-    size_t fields_line, units_line;
+    char *value[KEYS]; /* NULL: not given */
+    size_t line[KEYS];
 } header;
 
 static murk_status read_missing(murk_field_file *out, const cursor *at,
@@ -135,11 +149,6 @@ static murk_status read_missing(murk_field_file *out, const cursor *at,
     if (!murk_number_parse(value, &number)) {
         return fail_at(at->path, at->number,
                        "a value that stands for none must be a number",
-                       at->err);
-    }
-    if (out->n_missing == MURK_FIELD_MISSING_MAX) {
-        return fail_at(at->path, at->number,
-                       "missing or a limit of detection is there twice",
                        at->err);
     }
     out->missing[out->n_missing++] = number;
@@ -154,23 +163,22 @@ static murk_status take_key(murk_field_file *out, header *h, const cursor *at)
         return MURK_OK;
     }
     *value++ = '\0';
-    const char *key = trimmed(at->line + 1);
-    value = trimmed(value);
-    if (strcasecmp(key, "missing") == 0 ||
-        strcasecmp(key, "below_detection_limit") == 0 ||
-        strcasecmp(key, "above_detection_limit") == 0) {
-        return read_missing(out, at, value);
+    const char *name = trimmed(at->line + 1);
+    int key = 0;
+    while (key < KEYS && strcasecmp(name, KEY[key]) != 0) {
+        ++key;
     }
-    if (strcasecmp(key, "fields") == 0) {
-        h->fields = value;
-        h->fields_line = at->number;
-    } else if (strcasecmp(key, "units") == 0) {
-        h->units = value;
-        h->units_line = at->number;
-    } else if (strcasecmp(key, "delimiter") == 0) {
-        h->delimiter = value;
+    if (key == KEYS) {
+        return MURK_OK;
     }
-    return MURK_OK;
+    if (h->value[key]) {
+        char what[64];
+        snprintf(what, sizeof what, "/%s is there twice", KEY[key]);
+        return fail_at(at->path, at->number, what, at->err);
+    }
+    h->value[key] = trimmed(value);
+    h->line[key] = at->number;
+    return key < FIELDS ? read_missing(out, at, h->value[key]) : MURK_OK;
 }
 
 static murk_status read_header(murk_field_file *out, header *h, cursor *at)
@@ -183,7 +191,7 @@ static murk_status read_header(murk_field_file *out, header *h, cursor *at)
     /* Take what is needed of each line, up to the end of the header. */
     while (next_line(at)) {
         if (strcasecmp(at->line, "/end_header") == 0) {
-            return h->fields
+            return h->value[FIELDS]
                        ? MURK_OK
                        : fail_at(at->path, at->number,
                                  "the header ends without /fields", at->err);
@@ -212,19 +220,19 @@ static murk_status find_delimiter(char *out, const header *h, const cursor *at)
         const char *word;
         char byte;
     } known[] = {{"comma", ','}, {"space", ' '}, {"tab", '\t'}};
-    if (!h->delimiter) {
+    if (!h->value[DELIMITER]) {
         *out = ' ';
         return MURK_OK;
     }
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
-        if (strcasecmp(h->delimiter, known[i].word) == 0) {
+        if (strcasecmp(h->value[DELIMITER], known[i].word) == 0) {
             *out = known[i].byte;
             return MURK_OK;
         }
     }
     return murk_fail(at->err, MURK_BAD_FILE, at->path,
                      "/delimiter=%.40s, must be comma, space or tab",
-                     h->delimiter);
+                     h->value[DELIMITER]);
 }
 
 /* Cuts text into cells in place; returns their number, of which the first `max`
@@ -250,6 +258,24 @@ static size_t cut(char **cell, size_t max, char *text, char delimiter)
     return n;
 }
 
+/* Fails if a name is empty or there twice: a mapping could mean either. */
+static murk_status check_names(const murk_table *table, const cursor *at)
+{
+    char what[96], shown[48];
+    for (size_t i = 0; i < table->columns; ++i) {
+        const char *name = table->name[i];
+        const bool is_empty = name[0] == '\0';
+        if (is_empty || murk_table_column(table, name) != (long)i) {
+            murk_words_show(shown, sizeof shown, name);
+            snprintf(what, sizeof what, "/fields has %s%s",
+                     is_empty ? "an empty name" : shown,
+                     is_empty ? "" : " twice");
+            return fail_at(at->path, (size_t)table->header_line, what, at->err);
+        }
+    }
+    return MURK_OK;
+}
+
 /* Reads the names of the columns, and their units. */
 static murk_status read_names(murk_field_file *out, const header *h,
                               const cursor *at)
@@ -260,21 +286,23 @@ static murk_status read_names(murk_field_file *out, const header *h,
     if (!table->name || !out->unit) {
         return no_memory(at->path, at->err);
     }
-    table->header_line = (int)h->fields_line;
-    table->columns = cut(table->name, COLUMNS_MAX, h->fields, ',');
+    table->header_line = (int)h->line[FIELDS];
+    table->columns = cut(table->name, COLUMNS_MAX, h->value[FIELDS], ',');
     if (table->columns > COLUMNS_MAX) {
         table->columns = 0;
-        return fail_at(at->path, h->fields_line, "more than 1000 fields",
+        return fail_at(at->path, h->line[FIELDS], "more than 1000 fields",
                        at->err);
     }
-    out->unit_line = (int)h->units_line;
-    if (!h->units) {
+    /* As many units as names, or none. */
+    out->unit_line = (int)h->line[UNITS];
+    if (!h->value[UNITS]) {
         out->unit = NULL;
-    } else if (cut(out->unit, COLUMNS_MAX, h->units, ',') != table->columns) {
-        return fail_at(at->path, h->units_line,
+    } else if (cut(out->unit, COLUMNS_MAX, h->value[UNITS], ',') !=
+               table->columns) {
+        return fail_at(at->path, h->line[UNITS],
                        "/units must have as many items as /fields", at->err);
     }
-    return MURK_OK;
+    return check_names(table, at);
 }
 
 /* Reads the rows below the header. */
@@ -324,7 +352,8 @@ static murk_status read_seabass(murk_field_file *out, const char *path,
                          "no SeaBASS file: a NUL byte, must be text");
     }
     /* The header, then the rows. */
-    cursor at = {.path = path, .next = text, .err = err};
+    const bool has_mark = strncmp(text, BYTE_ORDER_MARK, 3) == 0;
+    cursor at = {.path = path, .next = text + 3 * has_mark, .err = err};
     header h = {0};
     char delimiter = ' ';
     murk_status status = read_header(out, &h, &at);

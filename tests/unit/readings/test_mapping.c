@@ -253,6 +253,10 @@ static void test_seabass(void)
                   "/delimiter=comma\n/end_header\n1, 2,.3 ,.1\n1,3,,.1\n");
     CHECK(m && m->rows == 1 && m->reading[0].value == .3);
     murk_readings_destroy(m);
+    /* A byte order mark means nothing. */
+    m = read_well(ATTENUATION "c532}}]\n", "\xEF\xBB\xBF" SEABASS);
+    CHECK(m && m->rows == 2 && m->reading[0].line == 10);
+    murk_readings_destroy(m);
 }
 
 static void test_seabass_is_refused(void)
@@ -272,10 +276,16 @@ static void test_seabass_is_refused(void)
             "3 cells, must be 4");
     refused(ATTENUATION "c532}}]\n", HEADER "/delimiter=semicolon\n/end_header",
             "data", "must be comma, space or tab");
-    refused(ATTENUATION "c532}}]\n", HEADER "/missing=none\n", "data:8",
-            "must be a number");
-    refused(ATTENUATION "c532}}]\n", HEADER "/missing=1\n/missing=2\n",
-            "data:9", "there twice");
+    refused(ATTENUATION "c532}}]\n", HEADER "/above_detection_limit=none\n",
+            "data:8", "must be a number");
+    refused(ATTENUATION "c532}}]\n", HEADER "/missing=1\n", "data:8",
+            "/missing is there twice");
+    refused(ATTENUATION "c532}}]\n", HEADER "/Fields=a,b,c,d\n", "data:8",
+            "/fields is there twice");
+    refused(ATTENUATION "c}}]\n", "/begin_header\n/fields=c,d,c\n/end_header\n",
+            "data:2", "/fields has c twice");
+    refused(ATTENUATION "c}}]\n", "/begin_header\n/fields=c,,d\n/end_header\n",
+            "data:2", "/fields has an empty name");
     refused(ATTENUATION "c532}}]\n",
             "/begin_header\n/fields=a,b\n/units=m\n/end_header\n", "data:3",
             "as many items as /fields");
