@@ -77,7 +77,7 @@ with tempfile.TemporaryDirectory() as name:
     # the same light by delta tracking, which marches here, and in a box around the meshes
     plain = absorbed(folder)
     check(plain > 10, "smoke absorbs", plain)
-    for words in (["--set", "photons.flight=delta"],
+    for words in (["--set", "flight=delta"],
                   ["--set", "regions.0.box={min_m: [-1, -1, -1], max_m: [25, 13, 10]}"]):
         check(abs(absorbed(folder, *words) / plain - 1) < 1e-9, words)
     check(abs(absorbed(folder, "--set", "media.smoke.time_s=60") / plain - 1) > 0.02, "another time, another light")
