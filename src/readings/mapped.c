@@ -15,7 +15,7 @@
 
 /* A limit against hostile files, of a few seconds: how often a cell of the file
  * may be compared or converted. A year of measurements, one every ten minutes,
- * takes 1e6 for the values at twenty wavelengths. */
+ * takes 2e6 for the values at twenty wavelengths. */
 #define LOOKS_MAX 10000000
 
 /* The mean of the rows of an averaged entry so far. */
