@@ -152,6 +152,7 @@ static murk_status read_lamps(ldt *f)
                                            &watts))) {
             return s;
         }
+        /* All sets together. */
         f->lumens += lumens;
         f->watts += watts;
     }

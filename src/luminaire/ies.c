@@ -156,6 +156,7 @@ static murk_status read_tilt(ies *f, murk_luminaire_text *text)
         status = murk_luminaire_text_count(text, "number of tilt angles", 1,
                                            MURK_TILTS_MAX, &out->tilts);
     }
+    /* The angles, then the factors. */
     for (size_t i = 0; i < out->tilts && !status; ++i) {
         status = murk_luminaire_text_number(text, "tilt angle", 0, 180,
                                             &out->tilt_deg[i]);
@@ -437,6 +438,7 @@ static murk_status read_table(ies *f)
     if (!status) {
         status = find_symmetry(f);
     }
+    /* The intensities, plane by plane. */
     for (size_t i = 0; i < t->verticals * t->planes && !status; ++i) {
         status = murk_luminaire_text_number(&f->text, "intensity", 0,
                                             MURK_LUMINAIRE_CANDELA_MAX,
