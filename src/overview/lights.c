@@ -201,9 +201,9 @@ static void add_taken(cJSON *item, const murk_stage *stage, size_t light)
     murk_json_numbers(object, "transmittance", taken.transmittance.band, bands);
 }
 
-/* Adds the table of intensities as murk uses it: symmetries unfolded, with all
- * factors of the file; a list of values by vertical angle for each horizontal
- * angle. */
+/* Adds the table of intensities of the file: symmetries unfolded, with all
+ * factors of the file, before lumens, power_w and TILT data; a list of values
+ * by vertical angle for each horizontal angle. */
 static void add_intensities(cJSON *item, const murk_intensity *table)
 {
     const murk_intensity_angles angles = murk_intensity_angles_of(table);

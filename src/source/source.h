@@ -69,17 +69,19 @@ murk_box murk_source_box(const murk_source *light);
  * the lamp. */
 double murk_source_extent_m(const murk_source *lamp);
 
-/* The unit normal of a lamp that is a rectangle; `otherwise` for light of other
- * types. */
+/* The unit normal of a lamp that is a rectangle, or the direction to which a
+ * luminaire sends most of its light: along the aim or against it; `otherwise`
+ * for light of other types. */
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 
 /* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane
  * that faces the lamp, without media and occluders. For a lamp without extent
  * and a distance of 0, the power [W] is returned instead. to_lamp: from the
  * point to the center of the lamp. A point behind a rectangle or outside a beam
- * gets 0. has_images: the domain is periodic, so a point behind a rectangle may
- * be lit by an image of the rectangle and may have an estimate, too, unless the
- * rectangle is level. */
+ * gets 0; a luminaire counts by its intensity in the direction of the point.
+ * has_images: the domain is periodic, so a point behind a rectangle may be lit
+ * by an image of the rectangle and may have an estimate, too, unless the
+ * rectangle is level; a luminaire counts as even in all directions. */
 double murk_source_irradiance_near(const murk_source *lamp, int band,
                                    murk_vec3 to_lamp, bool has_images);
 
