@@ -7,6 +7,10 @@
 #include <math.h>
 #include <stdio.h>
 
+/* Lumens that differ by less agree: the line at 550 nm, which is that of scenes
+ * without bands, has .995 of the lumens of 555 nm. */
+#define LUMENS_AGREE 0.01
+
 static const murk_units KNOWN[] = {
     [MURK_RADIOMETRIC] = {"W", "W/m2", "w"},
     [MURK_PHOTOMETRIC] = {"lm", "lux", "lm"},
@@ -64,8 +68,44 @@ murk_estimate murk_units_sum(const murk_estimate *value, int n)
     return sum;
 }
 
+/* The lumens of the power of a lamp without a spectrum. */
+static double lumens_of(const murk_scene_desc *scene,
+                        const murk_scene_light *light)
+{
+    double sum = 0;
+    for (int b = 0; b < scene->bands; ++b) {
+        double end[2];
+        ends_of(scene, b, end);
+        sum += light->power_w.band[b] *
+               murk_quantity_per_watt(MURK_PHOTOMETRIC, end[0], end[1]);
+    }
+    return sum;
+}
+
+/* Warns of the first luminaire whose lumens became watts as at 555 nm and count
+ * as another flux in the bands of the scene. */
+static void warn_of_lumens(const murk_scene_desc *scene)
+{
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const murk_scene_light *l = &scene->lights[i];
+        const double counted = lumens_of(scene, l);
+        if (l->luminaire && !l->spectrum && l->lumens > 0 &&
+            !(fabs(counted / l->lumens - 1) <= LUMENS_AGREE)) {
+            murk_warn(l->where,
+                      "without a spectrum, 683 lm are 1 W in equal parts: its "
+                      "%.6g lm count as %.6g lm in the bands, give "
+                      "temperature_k or spectrum",
+                      l->lumens, counted);
+            return;
+        }
+    }
+}
+
 void murk_units_note(const murk_scene_desc *scene)
 {
+    if (scene->units == MURK_PHOTOMETRIC) {
+        warn_of_lumens(scene);
+    }
     char list[16 * MURK_BANDS_MAX] = "";
     size_t used = 0;
     for (int i = 0; i < scene->bands; ++i) {

@@ -42,7 +42,9 @@ murk_estimate murk_units_sum(const murk_estimate *value, int n);
 
 /* Prints a note that lists the bands whose light, if even in wavelength, counts
  * 0 in the quantity of the scene: light that eyes or plants do not detect.
- * Prints nothing if there is no such band. */
+ * Prints nothing if there is no such band. In a photometric scene, warns of the
+ * first luminaire without a spectrum whose lumens count as another flux in the
+ * bands. */
 void murk_units_note(const murk_scene_desc *scene);
 
 #endif

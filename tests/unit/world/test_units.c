@@ -155,6 +155,49 @@ static void test_dark_bands_are_noted(void)
     CHECK_TEXT(noted, "");
 }
 
+/* 8,000 lm in equal parts at 683 lm/W are 2,596 lm in three bands of the
+ * visible. Nothing is said of a line near 555 nm, of watts, and of a lamp with
+ * a spectrum. */
+static void test_lost_lumens_are_warned_of(void)
+{
+    murk_luminaire lamp = {.verticals = 1};
+    murk_lamp_spectrum body = {.temperature_k = 3000};
+    murk_scene_light light = {
+        .where = "a.yaml:3: lights.0", .luminaire = &lamp, .lumens = 8000};
+    murk_scene_desc scene = {.path = "a.yaml",
+                             .bands = 3,
+                             .has_edges = true,
+                             .band_edge_nm = {380, 500, 600, 780},
+                             .units = MURK_PHOTOMETRIC,
+                             .n_lights = 1,
+                             .lights = &light};
+    light.power_w = murk_spectrum_flat(8000 / 683. / 3, 3);
+    noted[0] = '\0';
+    murk_warn_to(note);
+    /* With a spectrum, by watts, in watts: no warning. */
+    for (int i = 0; i < 3; ++i) {
+        light.spectrum = i == 0 ? &body : NULL;
+        light.lumens = i == 1 ? 0 : 8000;
+        scene.units = i == 2 ? MURK_RADIOMETRIC : MURK_PHOTOMETRIC;
+        murk_units_note(&scene);
+        CHECK_TEXT(noted, "");
+    }
+    scene.units = MURK_PHOTOMETRIC;
+    murk_units_note(&scene);
+    CHECK_MENTIONS(noted, "8000 lm count as 259");
+    /* A line near 555 nm. */
+    noted[0] = '\0';
+    scene = (murk_scene_desc){.bands = 1,
+                              .band_nm = {550},
+                              .units = MURK_PHOTOMETRIC,
+                              .n_lights = 1,
+                              .lights = &light};
+    light.power_w = murk_spectrum_flat(8000 / 683., 1);
+    murk_units_note(&scene);
+    CHECK_TEXT(noted, "");
+    murk_warn_to(NULL);
+}
+
 int main(void)
 {
     murk_warn_to(NULL);
@@ -164,5 +207,6 @@ int main(void)
     test_packets_are_worth_their_lights_factor();
     test_errors_add_up();
     test_dark_bands_are_noted();
+    test_lost_lumens_are_warned_of();
     return check_done();
 }
