@@ -174,7 +174,18 @@ double murk_quantity_per_watt_of_table(murk_quantity quantity, double from_nm,
 {
     assert(from_nm > 0 && from_nm <= to_nm);
     weighed sums = {0, 0};
-    for (size_t i = 1; i < n; ++i) {
+    /* The first part that reaches beyond from_nm. */
+    size_t first = 1, last = n;
+    while (first < last) {
+        const size_t middle = first + (last - first) / 2;
+        if (nm[middle] <= from_nm) {
+            first = middle + 1;
+        } else {
+            last = middle;
+        }
+    }
+    /* Each part within the band, cut at the ends of V and PAR. */
+    for (size_t i = first; i < n && nm[i - 1] < to_nm; ++i) {
         const double end = fmin(to_nm, nm[i]);
         double start = fmax(from_nm, nm[i - 1]);
         for (size_t k = 0; k < CUTS && start < end; ++k) {
