@@ -146,12 +146,15 @@ static bool add_frame(murk_fds_frames *f, size_t *capacity, float time_s,
     if (f->n == *capacity) {
         const size_t more = *capacity ? 2 * *capacity : 64;
         float *times = realloc(f->time_s, more * sizeof *times);
-        f->time_s = times ? times : f->time_s;
-        int64_t *offsets = realloc(f->offset, more * sizeof *offsets);
-        f->offset = offsets ? offsets : f->offset;
-        if (!times || !offsets) {
+        if (!times) {
             return false;
         }
+        f->time_s = times;
+        int64_t *offsets = realloc(f->offset, more * sizeof *offsets);
+        if (!offsets) {
+            return false;
+        }
+        f->offset = offsets;
         *capacity = more;
     }
     f->time_s[f->n] = time_s;

@@ -154,7 +154,7 @@ static void *with_capacity(void *array, size_t n, size_t *capacity, size_t item)
 static murk_status read_grid(reader *r, const char *name)
 {
     murk_fds_run *run = r->run;
-    double number[NUMBERS_MAX];
+    double number[NUMBERS_MAX] = {0};
     if (run->meshes >= MURK_FDS_MESHES_MAX) {
         return bad(r, "too many meshes", NULL);
     }
@@ -191,7 +191,7 @@ static murk_status find_mesh(const reader *r, murk_fds_mesh **out)
 static murk_status read_edges(reader *r, int axis)
 {
     murk_fds_mesh *mesh = NULL;
-    double number[NUMBERS_MAX];
+    double number[NUMBERS_MAX] = {0};
     murk_status status = find_mesh(r, &mesh);
     if (!status) {
         status = need_numbers(r, 1, number);
@@ -250,7 +250,7 @@ static murk_status take_nodes(const reader *r, const murk_fds_mesh *mesh,
 /* Reads a count of items, at most MURK_FDS_ITEMS_MAX. */
 static murk_status read_count(reader *r, size_t *n)
 {
-    double number[NUMBERS_MAX];
+    double number[NUMBERS_MAX] = {0};
     murk_status status = need_numbers(r, 1, number);
     if (!status) {
         status = need_whole(r, number[0], 0, MURK_FDS_ITEMS_MAX,
@@ -270,7 +270,7 @@ static murk_status read_count(reader *r, size_t *n)
 static murk_status read_items(reader *r, const murk_fds_mesh *mesh,
                               size_t surfaces, murk_fds_item **out, size_t *n)
 {
-    double number[NUMBERS_MAX];
+    double number[NUMBERS_MAX] = {0};
     murk_status status = read_count(r, n);
     if (!status && *out) {
         status = bad(r, "items of one mesh are given twice", NULL);

@@ -288,11 +288,17 @@ static murk_status reserve(maker *m)
     }
     const size_t more = m->capacity ? 2 * m->capacity : 256;
     char **cell = realloc(table->cell, more * table->columns * sizeof *cell);
-    table->cell = cell ? cell : table->cell;
-    int *line = cell ? realloc(table->line, more * sizeof *line) : NULL;
-    table->line = line ? line : table->line;
-    m->capacity = line ? more : m->capacity;
-    return line ? MURK_OK : no_memory(m);
+    if (!cell) {
+        return no_memory(m);
+    }
+    table->cell = cell;
+    int *line = realloc(table->line, more * sizeof *line);
+    if (!line) {
+        return no_memory(m);
+    }
+    table->line = line;
+    m->capacity = more;
+    return MURK_OK;
 }
 
 /* True if a cell that the entry takes from the file holds no measurement. */
