@@ -12,6 +12,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Limits of a field: cells along an axis, and values. A choice, which keeps all
+ * products of sizes in range; 2^31 values take 8 GB. */
+#define MURK_FIELD_CELLS_MAX  ((1 << 20) - 1)
+#define MURK_FIELD_VALUES_MAX ((uint64_t)1 << 31)
+
 typedef struct murk_field_block {
     size_t cells[3];
     double *edge[3]; /* [cells + 1] along each axis, rising */

@@ -2,6 +2,7 @@
  * checked against the file before they are used. */
 #include "fds/frames.h"
 
+#include "base/field_blocks.h"
 #include "base/inputs.h"
 
 #include <errno.h>
@@ -10,9 +11,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define LABEL_BYTES 30                  /* dump.f90 */
-#define FRAMES_MAX  10000000            /* a choice: more than runs have */
-#define VALUES_MAX  ((uint64_t)1 << 31) /* a choice: 8 GB */
+#define LABEL_BYTES 30       /* dump.f90 */
+#define FRAMES_MAX  10000000 /* a choice: more than runs have */
 
 static murk_status bad(const murk_fds_frames *f, const char *problem,
                        murk_error *err)
@@ -115,11 +115,11 @@ static bool count_values(murk_fds_frames *f)
     f->values = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const int64_t low = f->nodes[2 * axis], high = f->nodes[2 * axis + 1];
-        if (low < 0 || high < low || high > MURK_FDS_CELLS_MAX) {
+        if (low < 0 || high < low || high > MURK_FIELD_CELLS_MAX) {
             return false;
         }
         f->values *= (uint64_t)(high - low + 1);
-        if (f->values > VALUES_MAX) {
+        if (f->values > MURK_FIELD_VALUES_MAX) {
             return false;
         }
     }

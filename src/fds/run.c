@@ -2,6 +2,7 @@
  * the lines of sections that matter are read as words and numbers. */
 #include "fds/run.h"
 
+#include "base/field_blocks.h"
 #include "base/file.h"
 #include "base/number.h"
 
@@ -169,7 +170,7 @@ static murk_status read_grid(reader *r, const char *name)
     snprintf(mesh->name, sizeof mesh->name, "%s", name);
     murk_status status = need_numbers(r, 3, number);
     for (int axis = 0; axis < 3 && !status; ++axis) {
-        status = need_whole(r, number[axis], 1, MURK_FDS_CELLS_MAX,
+        status = need_whole(r, number[axis], 1, MURK_FIELD_CELLS_MAX,
                             "the number of cells");
         mesh->cells[axis] = status ? 0 : (size_t)number[axis];
     }
@@ -197,7 +198,7 @@ static murk_status read_edges(reader *r, int axis)
         status = need_numbers(r, 1, number);
     }
     if (!status) {
-        status = need_whole(r, number[0], 0, MURK_FDS_CELLS_MAX,
+        status = need_whole(r, number[0], 0, MURK_FIELD_CELLS_MAX,
                             "the number of points");
     }
     /* Points of the transformation, which are skipped, then grid lines. */
@@ -385,7 +386,7 @@ static murk_status read_data(reader *r, const char *rest, murk_fds_kind kind)
         status = bad(r, "misses the six grid lines of the slice", r->text);
     }
     for (int i = 0; i < 6 && kind != MURK_FDS_SMOKE3D && !status; ++i) {
-        status = need_whole(r, nodes[i], 0, MURK_FDS_CELLS_MAX,
+        status = need_whole(r, nodes[i], 0, MURK_FIELD_CELLS_MAX,
                             "the number of a grid line");
         int32_t *const of = i % 2 ? data.nodes.high : data.nodes.low;
         of[i / 2] = status ? 0 : (int32_t)nodes[i];

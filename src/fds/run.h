@@ -16,8 +16,7 @@
 
 /* Limits that refuse a malformed file before it fills the memory. */
 #define MURK_FDS_MESHES_MAX 4096
-#define MURK_FDS_CELLS_MAX  ((1 << 20) - 1) /* along an axis */
-#define MURK_FDS_ITEMS_MAX  10000000        /* obstructions, events, ... */
+#define MURK_FDS_ITEMS_MAX  10000000 /* obstructions, events, ... */
 
 /* Of meshes, surfaces and quantities: FDS's own names have up to 60 characters.
  */

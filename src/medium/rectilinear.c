@@ -19,15 +19,13 @@ static murk_status malformed(const char *where, murk_error *err)
                      "malformed: its reader handed over no field");
 }
 
-/* True if the size of a block is in range. Fewer than 2^20 cells along each
- * axis keep all products in range. */
+/* True if the size of a block is in range. */
 static bool is_size(const murk_field_size *size)
 {
-    const uint64_t longest = UINT64_C(1) << 20;
     bool is_good = size->has_nodes <= 1;
     for (int axis = 0; axis < 3; ++axis) {
-        is_good =
-            is_good && size->cells[axis] >= 1 && size->cells[axis] < longest;
+        is_good = is_good && size->cells[axis] >= 1 &&
+                  size->cells[axis] <= MURK_FIELD_CELLS_MAX;
     }
     return is_good;
 }

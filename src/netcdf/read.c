@@ -12,13 +12,8 @@
 
 #define TEXT_SIZE 256 /* of attributes that are looked at */
 
-/* Cells along an axis, and values: those of base/field_blocks.h fit into a
- * packed field (medium/rectilinear.h). */
-#define AXIS_MAX   ((1 << 20) - 1)
-#define VALUES_MAX ((size_t)1 << 31)
-
-#define MISSING_MAX \
-    16 /* a choice: values of missing_value that are looked at */
+/* Values of missing_value that are looked at: a choice. */
+#define MISSING_MAX 16
 
 enum { X, Y, Z, TIME, AXES };
 
@@ -402,7 +397,7 @@ static murk_status read_axis(reader *r, int dimension)
                    name);
     }
     const int which = axis_of(r, variable, name);
-    if (which < 0 || r->axis[which].at || n == 0 || n > AXIS_MAX) {
+    if (which < 0 || r->axis[which].at || n == 0 || n > MURK_FIELD_CELLS_MAX) {
         return bad(r, MURK_BAD_FILE,
                    ": is none of the axes X, Y, Z and T, or one of them twice",
                    name);
@@ -802,7 +797,8 @@ static murk_status read_open(reader *r, murk_field_head *head,
     if (!status) {
         status = read_axes(r, from.first);
     }
-    if (!status && r->axis[X].n > VALUES_MAX / r->axis[Y].n / r->axis[Z].n) {
+    if (!status &&
+        r->axis[X].n > MURK_FIELD_VALUES_MAX / r->axis[Y].n / r->axis[Z].n) {
         status = bad(r, MURK_BAD_FILE, "has more than 2^31 values", NULL);
     }
     block->has_nodes = has_nodes;
