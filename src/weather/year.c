@@ -1,0 +1,501 @@
+/* Reads weather years (EPW): lines of the header, of which LOCATION and DATA
+ * PERIODS count, then rows of cells between commas. All rows have as many cells
+ * as the first, and every cell that is used is checked. */
+#include "weather/year.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/cache.h"
+#include "base/csv.h"
+#include "base/file.h"
+#include "base/number.h"
+#include "base/words.h"
+
+#define CELLS_MAX 35 /* of a row, by the data dictionary */
+#define CELLS_MIN                                                 \
+    29 /* of older files, which end behind the precipitable water \
+        */
+#define HEADER_MAX 64 /* lines; the dictionary has 8 */
+#define HOUR_MIN   60
+#define DAY_MIN    (24 * HOUR_MIN)
+#define MINUTE_S   60.0
+#define DAY_S      86400.0
+
+/* Columns of a row, from 0. */
+enum {
+    YEAR,
+    MONTH,
+    DAY,
+    HOUR,
+    MINUTE,
+    TEMPERATURE = 6,
+    DEW_POINT,
+    HUMIDITY,
+    PRESSURE,
+    GLOBAL = 13,
+    DIRECT,
+    DIFFUSE,
+    SKY_COVER = 22,
+    VISIBILITY = 24,
+    OBSERVED = 26,
+    CODES,
+    RAIN = 33,
+    RAIN_HOURS
+};
+
+typedef struct epw {
+    const char *path;
+    murk_csv csv;
+    size_t line; /* of the row that is read */
+    murk_error *err;
+    murk_weather_year *out;
+    size_t reserved;
+    size_t cells; /* of each row; 0: no row was read yet */
+    char *cell[CELLS_MAX];
+} epw;
+
+static murk_status fail(const epw *f, size_t line, const char *text)
+{
+    char where[4096];
+    snprintf(where, sizeof where, "%s:%zu", f->path, line);
+    return murk_fail(f->err, MURK_BAD_FILE, where, "%s", text);
+}
+
+/* Fails with "NAME TEXT, must be ALLOWED". */
+static murk_status fail_cell(const epw *f, const char *name, const char *text,
+                             const char *allowed)
+{
+    char shown[40], message[256];
+    murk_words_show(shown, sizeof shown, text);
+    snprintf(message, sizeof message, "%s is '%s', must be %s", name, shown,
+             allowed);
+    return fail(f, f->line, message);
+}
+
+/* ---- cells ---- */
+
+/* Reads the cells of the next line; the cells behind the last are "". */
+static murk_status read_cells(epw *f, size_t *n)
+{
+    static char empty[] = "";
+    bool is_last = false;
+    f->line = f->csv.line;
+    for (*n = 0; !is_last; ++*n) {
+        char *cell;
+        const char *fault = murk_csv_read_cell(&f->csv, &cell, &is_last);
+        if (fault) {
+            return fail(f, f->csv.line, fault);
+        }
+        if (*n < CELLS_MAX) {
+            f->cell[*n] = cell;
+        }
+    }
+    for (size_t k = *n; k < CELLS_MAX; ++k) {
+        f->cell[k] = empty;
+    }
+    return MURK_OK;
+}
+
+/* A column with its name, the range of its values, and the value from which on
+ * it is missing. */
+typedef struct column {
+    const char *name;
+    int cell;
+    double min, max, missing;
+} column;
+
+/* Reads a number; NAN if the cell is empty or says that it is missing. */
+static murk_status read_number(const epw *f, const column *c, double *out)
+{
+    const char *text = f->cell[c->cell];
+    double value;
+    char allowed[80];
+    *out = NAN;
+    if (text[0] == '\0') {
+        return MURK_OK;
+    }
+    snprintf(allowed, sizeof allowed, "a number, %g..%g, or %g where missing",
+             c->min, c->max, c->missing);
+    if (!murk_number_parse(text, &value)) {
+        return fail_cell(f, c->name, text, allowed);
+    }
+    if (value == c->missing) {
+        return MURK_OK;
+    }
+    if (!(value >= c->min && value <= c->max)) {
+        return fail_cell(f, c->name, text, allowed);
+    }
+    *out = value;
+    return MURK_OK;
+}
+
+static murk_status read_whole(const epw *f, const char *name, int cell, int min,
+                              int max, int *out)
+{
+    double value;
+    char allowed[64];
+    snprintf(allowed, sizeof allowed, "a whole number, %d..%d", min, max);
+    if (!murk_number_parse(f->cell[cell], &value) || value != floor(value) ||
+        !(value >= min && value <= max)) {
+        return fail_cell(f, name, f->cell[cell], allowed);
+    }
+    *out = (int)value;
+    return MURK_OK;
+}
+
+/* ---- the header ---- */
+
+static murk_status read_location(epw *f)
+{
+    static const column latitude = {"the latitude", 6, -90, 90, INFINITY},
+                        longitude = {"the longitude", 7, -180, 180, INFINITY},
+                        zone = {"the time zone", 8, -18, 18, INFINITY},
+                        altitude = {"the elevation", 9, -1000, 9999.9,
+                                    INFINITY};
+    murk_weather_year *out = f->out;
+    double zone_h = NAN;
+    size_t n;
+    murk_status status = read_cells(f, &n);
+    if (!status && (n < 10 || strcmp(f->cell[0], "LOCATION") != 0)) {
+        return fail(f, f->line,
+                    "must begin with LOCATION and have 10 cells (an EPW file)");
+    }
+    /* The name, printable, then the four numbers, none of which may miss. */
+    if (!status) {
+        snprintf(out->place, sizeof out->place, "%.60s", f->cell[1]);
+        for (char *c = out->place; *c; ++c) {
+            *c = *c >= ' ' && *c < 127 ? *c : '?';
+        }
+        status = read_number(f, &latitude, &out->latitude_deg);
+    }
+    if (!status) {
+        status = read_number(f, &longitude, &out->longitude_deg);
+    }
+    if (!status) {
+        status = read_number(f, &zone, &zone_h);
+    }
+    if (!status) {
+        status = read_number(f, &altitude, &out->altitude_m);
+    }
+    if (!status && isnan(out->latitude_deg + out->longitude_deg + zone_h +
+                         out->altitude_m)) {
+        return fail(f, f->line,
+                    "LOCATION lacks a number, must have latitude, longitude, "
+                    "time zone and elevation");
+    }
+    out->zone_min = status ? 0 : (int)lround(zone_h * HOUR_MIN);
+    return status;
+}
+
+/* Reads the lines between LOCATION and the rows; DATA PERIODS is the last of
+ * them and says how many rows an hour has. */
+static murk_status read_header(epw *f)
+{
+    static const char last[] = "DATA PERIODS";
+    murk_status status = read_location(f);
+    for (int i = 0; !status && i < HEADER_MAX; ++i) {
+        int per_hour = 0;
+        size_t n;
+        if (f->csv.next >= f->csv.end) {
+            break;
+        }
+        if (strncmp(f->csv.next, last, sizeof last - 1) != 0) {
+            f->csv.next += strcspn(f->csv.next, "\n");
+            f->csv.next += f->csv.next < f->csv.end;
+            ++f->csv.line;
+            continue;
+        }
+        status = read_cells(f, &n);
+        if (!status) {
+            status = read_whole(f, "the number of rows of an hour", 2, 1,
+                                HOUR_MIN, &per_hour);
+        }
+        if (!status && HOUR_MIN % per_hour != 0) {
+            status = fail(f, f->line,
+                          "the number of rows of an hour must divide 60");
+        }
+        f->out->interval_min = status ? 0 : HOUR_MIN / per_hour;
+        return status;
+    }
+    return status ? status
+                  : fail(f, f->csv.line,
+                         "the header ends without a line DATA PERIODS");
+}
+
+/* ---- the weather codes ---- */
+
+/* The nine digits of the weather codes, each of which is 9 where there is
+ * nothing; they count if the column before them is 0. Digits (TMY2 User's
+ * Manual, Marion and Urban 1995, table A-1): rain, drizzle, snow, snow showers,
+ * sleet, fog, haze, hail. */
+static murk_status read_codes(const epw *f, murk_observation *seen,
+                              double observed)
+{
+    enum { RAIN_AT = 1, DRIZZLE_AT, SNOW_AT, SHOWERS_AT, SLEET_AT, FOG_AT };
+    const int haze_at = FOG_AT + 1, n = 9;
+    const char *given = f->cell[CODES];
+    char code[10];
+    const size_t length = strlen(given);
+    if (!(observed == 0) || given[0] == '\0') {
+        return MURK_OK;
+    }
+    if (length > (size_t)n || strspn(given, "0123456789") != length) {
+        return fail_cell(f, "the weather codes", given, "nine digits");
+    }
+    /* Zeros that lead are often left out. */
+    memset(code, '0', (size_t)n);
+    memcpy(code + (size_t)n - length, given, length);
+    code[n] = '\0';
+    const bool is_snow = code[SNOW_AT] != '9' || code[SHOWERS_AT] != '9' ||
+                         code[SLEET_AT] != '9';
+    /* Fog, ice fog and ground fog; 3 and 4 are dust and sand. */
+    const bool is_fog = strchr("0125678", code[FOG_AT]) != NULL;
+    const bool is_haze =
+        code[FOG_AT] == '3' || code[FOG_AT] == '4' || code[haze_at] != '9';
+    seen->kind = is_snow   ? MURK_WEATHER_SNOW
+                 : is_fog  ? MURK_WEATHER_FOG
+                 : is_haze ? MURK_WEATHER_HAZE
+                           : MURK_WEATHER_NONE;
+    snprintf(seen->weather, sizeof seen->weather, "%s", code);
+    return MURK_OK;
+}
+
+/* ---- rows ---- */
+
+/* Sets the visibility from kilometres. Stations of the United States report 10
+ * miles, 16.1 km, where they see farther; 777.7 is an unlimited visibility,
+ * which TMY2 reports up to 160.9 km. */
+static void set_visibility(murk_observation *seen, double km)
+{
+    const double us_limit = 16.1, unlimited = 777.7, farthest = 160.9;
+    const bool is_unlimited = km >= unlimited;
+    const bool is_limit = is_unlimited || fabs(km - us_limit) < .05;
+    seen->visibility_m = 1000 * (is_unlimited ? farthest : km);
+    seen->visibility_limit =
+        is_limit ? MURK_VISIBILITY_AT_LEAST : MURK_VISIBILITY_EXACT;
+    if (km == 0) { /* rounded down from less than 50 m */
+        seen->visibility_m = 50;
+        seen->visibility_limit = MURK_VISIBILITY_LESS_THAN;
+    }
+}
+
+static murk_status read_values(const epw *f, murk_observation *seen)
+{
+    double pressure_pa, cover_tenths, km, observed, rain_mm, rain_hours;
+    const struct {
+        column column;
+        double *out;
+    } all[] = {
+        {{"the temperature", TEMPERATURE, -90, 70, 99.9}, &seen->temperature_c},
+        {{"the dew point", DEW_POINT, -90, 70, 99.9}, &seen->dew_point_c},
+        {{"the pressure", PRESSURE, 31000, 120000, 999999}, &pressure_pa},
+        {{"the global irradiance", GLOBAL, 0, 2000, 9999},
+         &seen->global_w_per_m2},
+        {{"the direct irradiance", DIRECT, 0, 2000, 9999},
+         &seen->direct_w_per_m2},
+        {{"the diffuse irradiance", DIFFUSE, 0, 2000, 9999},
+         &seen->diffuse_w_per_m2},
+        {{"the sky cover", SKY_COVER, 0, 10, 99}, &cover_tenths},
+        {{"the visibility", VISIBILITY, 0, 777.7, 9999}, &km},
+        {{"the observation indicator", OBSERVED, 0, 9, 9}, &observed},
+        {{"the precipitation", RAIN, 0, 500, 999}, &rain_mm},
+        {{"the hours of precipitation", RAIN_HOURS, 0, 24, 99}, &rain_hours},
+    };
+    *seen = murk_observation_empty();
+    for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
+        const murk_status status = read_number(f, &all[i].column, all[i].out);
+        if (status) {
+            return status;
+        }
+    }
+    /* Convert to the units of an observation. A missing rain is no rain, as in
+     * files that leave the column empty in dry hours. */
+    seen->pressure_hpa = pressure_pa / 100;
+    seen->sky_cover = cover_tenths / 10;
+    if (!isnan(km)) {
+        set_visibility(seen, km);
+    }
+    if (rain_mm > 0) {
+        seen->rain_mm_per_h = rain_mm / (rain_hours > 0 ? rain_hours : 1);
+    }
+    return read_codes(f, seen, observed);
+}
+
+static murk_status read_time(const epw *f, murk_weather_row *row)
+{
+    static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const int interval = f->out->interval_min;
+    int hour = 0, minute = 0;
+    murk_status status = read_whole(f, "the year", YEAR, 1, 9999, &row->year);
+    if (!status) {
+        status = read_whole(f, "the month", MONTH, 1, 12, &row->month);
+    }
+    if (!status) {
+        status =
+            read_whole(f, "the day", DAY, 1, days[row->month - 1], &row->day);
+    }
+    if (!status) {
+        status = read_whole(f, "the hour", HOUR, 1, 24, &hour);
+    }
+    if (!status) {
+        status = read_whole(f, "the minute", MINUTE, 0, HOUR_MIN, &minute);
+    }
+    /* Hourly rows have the minute 0 or 60, or an indifferent one, and end with
+     * their hour; of other rows the minute is the end. */
+    const bool is_hourly = interval == HOUR_MIN;
+    row->ends_min = hour * HOUR_MIN + (is_hourly ? 0 : minute - HOUR_MIN);
+    row->line = (int)f->line;
+    return !status && row->ends_min % interval != 0
+               ? fail_cell(f, "the minute", f->cell[MINUTE],
+                           "the end of an interval")
+               : status;
+}
+
+/* The next row, with space in the array. */
+static murk_weather_row *add_row(epw *f)
+{
+    if (f->out->n == f->reserved) {
+        const size_t more = 2 * f->reserved;
+        murk_weather_year *grown =
+            realloc(f->out, sizeof *grown + more * sizeof *grown->row);
+        if (!grown) {
+            return NULL;
+        }
+        f->out = grown;
+        f->reserved = more;
+    }
+    return &f->out->row[f->out->n++];
+}
+
+static murk_status read_rows(epw *f)
+{
+    murk_status status = MURK_OK;
+    while (!status && murk_csv_find_line(&f->csv)) {
+        size_t n;
+        murk_weather_row *row = add_row(f);
+        if (!row) {
+            return murk_no_memory(f->err, f->path, "for a weather year");
+        }
+        status = read_cells(f, &n);
+        /* The first row says how many cells all rows have. */
+        f->cells = f->cells ? f->cells : n;
+        if (!status &&
+            (n != f->cells || n > CELLS_MAX || n < (size_t)CELLS_MIN)) {
+            char text[80];
+            snprintf(text, sizeof text,
+                     "%zu cells, must be %d..%d, in each row the same", n,
+                     CELLS_MIN, CELLS_MAX);
+            return fail(f, f->line, text);
+        }
+        if (!status) {
+            status = read_time(f, row);
+        }
+        if (!status) {
+            status = read_values(f, &row->seen);
+        }
+        const murk_weather_row *before = row - 1;
+        if (!status && f->out->n > 1 && before->year == row->year &&
+            before->month == row->month && before->day == row->day &&
+            before->ends_min >= row->ends_min) {
+            return fail(f, f->line,
+                        "not later than the row before, must follow it");
+        }
+    }
+    return !status && f->out->n == 0
+               ? fail(f, f->csv.line, "has no rows behind DATA PERIODS")
+               : status;
+}
+
+/* ---- files ---- */
+
+murk_status murk_weather_year_parse(murk_weather_year **out, const char *path,
+                                    char *text, size_t size, murk_error *err)
+{
+    epw f = {.path = path,
+             .csv = {.next = text, .end = text + size, .line = 1},
+             .err = err,
+             .reserved = 8784};
+    f.csv.is_one_line = true;
+    if (strlen(text) != size) {
+        return fail(&f, 1, "has a byte 0, must be text");
+    }
+    f.out = calloc(1, sizeof *f.out + f.reserved * sizeof *f.out->row);
+    if (!f.out) {
+        return murk_no_memory(err, path, "for a weather year");
+    }
+    murk_status status = read_header(&f);
+    if (!status) {
+        status = read_rows(&f);
+    }
+    if (status) {
+        free(f.out);
+        return status;
+    }
+    *out = f.out;
+    return MURK_OK;
+}
+
+/* A study reads one file for each of its rows: what was read is stored, by all
+ * bytes of the file. */
+murk_status murk_weather_year_read(murk_weather_year **out, const char *path,
+                                   murk_error *err)
+{
+    static murk_cache years = MURK_CACHE_NONE;
+    char *text = NULL;
+    size_t size = 0, stored;
+    murk_status status =
+        murk_file_read(&text, &size, path, MURK_WEATHER_BYTES_MAX, err);
+    if (status) {
+        return status;
+    }
+    murk_weather_year *found = murk_cache_find(&years, text, size, &stored);
+    char *key = found ? NULL : malloc(size + 1);
+    if (found) {
+        *out = found;
+    } else if (key) {
+        memcpy(key, text, size + 1);
+        status = murk_weather_year_parse(out, path, text, size, err);
+    } else {
+        status = murk_no_memory(err, path, "for a weather year");
+    }
+    if (!found && !status) {
+        murk_cache_put(&years, key, size, *out,
+                       sizeof **out + (*out)->n * sizeof *(*out)->row);
+    }
+    free(key);
+    free(text);
+    return status;
+}
+
+/* ---- times ---- */
+
+const murk_weather_row *murk_weather_year_at(const murk_weather_year *weather,
+                                             double unix_s)
+{
+    const double local_s = unix_s + MINUTE_S * weather->zone_min;
+    const murk_date date = murk_date_of_days(local_s / DAY_S);
+    const double minute = (local_s - DAY_S * murk_date_days(date)) / MINUTE_S;
+    const murk_weather_row *found = NULL;
+    for (size_t i = 0; i < weather->n; ++i) {
+        const murk_weather_row *row = &weather->row[i];
+        if (row->month == date.month && row->day == date.day &&
+            minute < row->ends_min &&
+            minute >= row->ends_min - weather->interval_min &&
+            (!found || (found->year != date.year && row->year == date.year))) {
+            found = row;
+        }
+    }
+    return found;
+}
+
+double murk_weather_row_middle(const murk_weather_year *weather,
+                               const murk_weather_row *row)
+{
+    const murk_date date = {row->year, row->month, row->day};
+    const double middle_min =
+        row->ends_min - .5 * weather->interval_min - weather->zone_min;
+    return DAY_S * murk_date_days(date) + MINUTE_S * middle_min;
+}

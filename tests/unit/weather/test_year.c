@@ -1,0 +1,187 @@
+/* Weather years: rows by time, missing values, limits of visibility, leap
+ * years, parts of an hour, and files that are refused by line. Also the classes
+ * of clearness. */
+#include "check.h"
+#include "weather/year.h"
+
+#include <stdlib.h>
+
+#define HEAD                                                        \
+    "LOCATION,Some Place,XX,YYY,TMY3,1,39.74,-105.18,-7.0,1829.0\n" \
+    "DESIGN CONDITIONS,0\nHOLIDAYS/DAYLIGHT SAVINGS,No,0,0,0\n"     \
+    "COMMENTS 1,a \"quoted word\n"
+#define PERIODS(n) "DATA PERIODS,1," #n ",Data,Sunday, 1/ 1,12/31\n"
+
+/* A row: the time, then temperature and dew point, then irradiances, then total
+ * and opaque sky cover, visibility, ceiling, indicator and codes, then rain. */
+#define ROW(time, light, seen, rain)                                      \
+    time ",?9?9,-3.0,-4.0,92,80600,0,0,257," light ",0,0,0,0,0,0.0," seen \
+         ",89,0.0310,0,88,0.330," rain "\n"
+
+static murk_weather_year *parse(const char *text, murk_error *err)
+{
+    murk_weather_year *out = NULL;
+    char *copy = strdup(text);
+    murk_weather_year_parse(&out, "w.epw", copy, strlen(copy), err);
+    free(copy);
+    return out;
+}
+
+static double utc(const char *time)
+{
+    double local_s = 0;
+    bool has_zone;
+    int zone_min;
+    CHECK(murk_time_read(time, &local_s, &has_zone, &zone_min));
+    return local_s - 60.0 * zone_min;
+}
+
+static void test_rows(void)
+{
+    murk_error err = {0};
+    murk_weather_year *year = parse(
+        HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,0,0",
+                            "8,8,16.1,3300,9,999999999", "999.0,99.0")
+            ROW("1999,1,1,12,0", "500,600,90", "4,4,777.7,3300,0,919999999",
+                "3.0,1.0") ROW("2004,2,29,24,60", "9999,9999,9999",
+                               "99,9,9999,3300,0,999999059", "6.0,3.0")
+                ROW("2003,3,1,1,0", "1,0,1", "10,8,0.0,3300,0,999199999",
+                    "999,99"),
+        &err);
+    CHECK_TEXT(err.text, "");
+    CHECK(year && year->n == 4);
+    if (!year) {
+        return;
+    }
+    CHECK_NEAR(year->latitude_deg, 39.74, 0);
+    CHECK_NEAR(year->longitude_deg, -105.18, 0);
+    CHECK_NEAR(year->altitude_m, 1829, 0);
+    CHECK(year->zone_min == -420 && year->interval_min == 60);
+    /* The first hour begins at midnight, local time, of any year. */
+    const murk_weather_row *row =
+        murk_weather_year_at(year, utc("2026-01-01T00:00:00-07:00"));
+    CHECK(row == &year->row[0]);
+    CHECK(murk_weather_year_at(year, utc("2026-01-01T00:59:59-07:00")) == row);
+    CHECK(!murk_weather_year_at(year, utc("2026-01-01T01:00:00-07:00")));
+    CHECK(row && row->seen.visibility_limit == MURK_VISIBILITY_AT_LEAST);
+    CHECK(row && row->seen.rain_mm_per_h == 0);
+    /* Noon ends the twelfth hour; its middle is half past eleven. */
+    row = murk_weather_year_at(year, utc("2026-01-01T18:30:00Z"));
+    CHECK(row == &year->row[1]);
+    if (row) {
+        CHECK_NEAR(murk_weather_row_middle(year, row),
+                   utc("1999-01-01T11:30:00-07:00"), 1e-6);
+        CHECK_NEAR(row->seen.direct_w_per_m2, 600, 0);
+        CHECK_NEAR(row->seen.diffuse_w_per_m2, 90, 0);
+        CHECK_NEAR(row->seen.global_w_per_m2, 500, 0);
+        CHECK_NEAR(row->seen.pressure_hpa, 806, 1e-9);
+        CHECK_NEAR(row->seen.visibility_m, 160900, 1e-6);
+        CHECK_NEAR(row->seen.rain_mm_per_h, 3, 0);
+        CHECK_NEAR(row->seen.sky_cover, .4, 1e-12);
+        CHECK(row->seen.kind == MURK_WEATHER_NONE);
+    }
+    /* The leap day; missing values are NAN, fog is the seventh digit. */
+    row = murk_weather_year_at(year, utc("2004-02-29T23:30:00-07:00"));
+    CHECK(row == &year->row[2]);
+    if (row) {
+        CHECK(isnan(row->seen.global_w_per_m2 + row->seen.direct_w_per_m2) &&
+              isnan(row->seen.diffuse_w_per_m2) &&
+              isnan(row->seen.visibility_m) && isnan(row->seen.sky_cover));
+        CHECK_NEAR(row->seen.rain_mm_per_h, 2, 0);
+        CHECK(row->seen.kind == MURK_WEATHER_FOG);
+    }
+    row = &year->row[3];
+    CHECK(row->seen.kind == MURK_WEATHER_SNOW);
+    CHECK_NEAR(row->seen.visibility_m, 50, 0);
+    CHECK(row->seen.visibility_limit == MURK_VISIBILITY_LESS_THAN);
+    free(year);
+}
+
+/* Rows of a quarter of an hour, of two years: that of the same year counts. */
+static void test_quarters(void)
+{
+    murk_error err = {0};
+#define Q(time) ROW(time, "0,0,0", "8,8,9,3300,9,999999999", "999,99")
+    murk_weather_year *year =
+        parse(HEAD PERIODS(4) Q("2010,6,1,10,15") Q("2010,6,1,10,30")
+                  Q("2010,6,1,10,45") Q("2010,6,1,10,60") Q("2011,6,1,10,15"),
+              &err);
+    CHECK_TEXT(err.text, "");
+    if (!year) {
+        return;
+    }
+    CHECK(year->interval_min == 15);
+    CHECK(murk_weather_year_at(year, utc("2012-06-01T09:14:59-07:00")) ==
+          &year->row[0]);
+    CHECK(murk_weather_year_at(year, utc("2012-06-01T09:50:00-07:00")) ==
+          &year->row[3]);
+    CHECK(murk_weather_year_at(year, utc("2011-06-01T09:10:00-07:00")) ==
+          &year->row[4]);
+    free(year);
+}
+
+static void test_refused(void)
+{
+    static const struct {
+        const char *text, *where, *part;
+    } cases[] = {
+        {"", "w.epw:1", "LOCATION"},
+        {"LOCATION,a,b,c,d,1,91,0,0,0\n", "w.epw:1", "latitude"},
+        {"LOCATION,a,b,c,d,1,,0,0,0\n", "w.epw:1", "lacks a number"},
+        {HEAD, "w.epw:5", "DATA PERIODS"},
+        {HEAD PERIODS(7), "w.epw:5", "divide 60"},
+        {HEAD PERIODS(1), "w.epw:6", "no rows"},
+        {HEAD PERIODS(1) "1999,1,1\n", "w.epw:6", "3 cells"},
+        {HEAD PERIODS(1) Q("1999,2,30,1,0"), "w.epw:6", "the day is '30'"},
+        {HEAD PERIODS(1) Q("1999,13,1,1,0"), "w.epw:6", "the month is '13'"},
+        {HEAD PERIODS(1) Q("1999,1,1,25,0"), "w.epw:6", "the hour is '25'"},
+        {HEAD PERIODS(1) Q("1999,1,1,2,0") Q("1999,1,1,1,0"), "w.epw:7",
+         "not later"},
+        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "5x,0,0", "8,8,9,3,9,9", "9,9"),
+         "w.epw:6", "the global irradiance is '5x'"},
+        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,-5,0", "8,8,9,3,9,9", "9,9"),
+         "w.epw:6", "the direct irradiance is '-5'"},
+        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,0,0", "8,8,900,3,9,9", "9,9"),
+         "w.epw:6", "the visibility is '900'"},
+        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,0,0", "8,8,9,3,0,12a", "9,9"),
+         "w.epw:6", "nine digits"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        murk_error err = {0};
+        murk_weather_year *year = parse(cases[i].text, &err);
+        CHECK(!year && err.code == MURK_BAD_FILE);
+        CHECK_TEXT(err.where, cases[i].where);
+        CHECK(strstr(err.text, cases[i].part) != NULL);
+        free(year);
+    }
+}
+
+static void test_clearness(void)
+{
+    const double high = .5, low = 1.5; /* zenith angles */
+    CHECK(murk_sky_clearness(0, 100, high) == 1);
+    CHECK(murk_sky_clearness(0, 0, high) == 1);
+    CHECK(murk_sky_clearness(900, 0, high) == 8);
+    CHECK(murk_sky_clearness(900, 80, high) == 8);
+    /* (diffuse + direct) / diffuse of 3 is class 5 at the zenith, and lower
+     * with a low sun: (3 + 3.51) / 4.51 = 1.44. */
+    CHECK(murk_sky_clearness(200, 100, 0) == 6);
+    CHECK(murk_sky_clearness(179, 100, 0) == 5);
+    CHECK(murk_sky_clearness(200, 100, low) == 3);
+    CHECK(murk_sky_clearness(200, 100, 2) ==
+          murk_sky_clearness(200, 100, 1.571));
+    for (int class = 1; class <= 8; ++class) {
+        const int type = murk_sky_cie_type(class);
+        CHECK(type >= 1 && type <= 15);
+    }
+    CHECK(murk_sky_cie_type(1) == 1 && murk_sky_cie_type(8) == 12);
+}
+
+int main(void)
+{
+    test_rows();
+    test_quarters();
+    test_refused();
+    test_clearness();
+    return check_done();
+}
