@@ -2,7 +2,8 @@
  *
  * All of src uses this one list: the scene reads the keys of each type
  * (scene/keys_lights.c), and src/source emits the photons (source/lamps.c and
- * source/distant.c, one row for each type). */
+ * source/distant.c, one row for each type). The scene replaces daylight by its
+ * parts, suns and skies (base/daylight_parts.h). */
 #ifndef MURK_BASE_SOURCE_TYPE_H
 #define MURK_BASE_SOURCE_TYPE_H
 
@@ -24,7 +25,8 @@ typedef enum murk_source_group {
     X(MOON, "moon", BODY)                  \
     X(SKY, "sky", DOME)                    \
     X(NIGHT_SKY, "night_sky", DOME)        \
-    X(LUMINAIRE, "luminaire", LAMP)
+    X(LUMINAIRE, "luminaire", LAMP)        \
+    X(DAYLIGHT, "daylight", DOME)
 
 #define MURK_SOURCE_ENUMERATOR(id, name, group) MURK_SOURCE_##id,
 typedef enum murk_source_type {

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/daylight_parts.h"
 #include "base/path.h"
 #include "world/daylight_loss.h"
 #include "world/units.h"
@@ -79,7 +80,7 @@ static void print_power(const murk_stage *stage)
 
 /* ---- luminaires ---- */
 
-/* The number of lamps that come from the same item of the scene file, of which
+/* The number of lights that come from the same item of the scene file, of which
  * `light` is the first; 0 if it is not the first. */
 static size_t lamps_of_item(const murk_scene_desc *scene, size_t light)
 {
@@ -156,6 +157,36 @@ static void print_luminaires(const murk_scene_desc *scene)
     }
 }
 
+/* ---- lights of the sky ---- */
+
+static void print_body(const murk_scene_light *l, const murk_sky_facts *facts)
+{
+    if (isfinite(facts->elevation_deg)) {
+        murk_print("; %s at azimuth %.2f, elevation %.2f degrees",
+                   l->type == MURK_SOURCE_MOON ? "moon" : "sun",
+                   facts->azimuth_deg, facts->elevation_deg);
+    }
+    murk_print("\n");
+}
+
+/* Prints the parts of a light of type daylight, of which `first` is the first:
+ * the irradiances of all patches and of all places of the sun. */
+static void print_daylight(const murk_stage *stage, size_t first, size_t n)
+{
+    const murk_scene_light *l = &stage->scene->lights[first];
+    double sky = 0, sun = 0;
+    for (size_t i = 0; i < n; ++i) {
+        double *sum = l[i].type == MURK_SOURCE_SKY ? &sky : &sun;
+        *sum += irradiance_of(stage, first + i);
+    }
+    murk_print("light       %zu..%zu, daylight: sun in %zu places %.4g %s, sky "
+               "in %d patches %.4g in the bands",
+               first, first + n - 1, n - MURK_SKY_PATCHES, sun,
+               murk_units_of(stage->scene->units).irradiance, MURK_SKY_PATCHES,
+               sky);
+    print_body(l, &stage->sky[first]);
+}
+
 void murk_overview_print_lights(const murk_stage *stage)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -173,16 +204,18 @@ void murk_overview_print_lights(const murk_stage *stage)
             }
             continue;
         }
+        if (l->part > 0) { /* one line for all parts */
+            const size_t parts = lamps_of_item(scene, i);
+            if (parts > 0) {
+                print_daylight(stage, i, parts);
+            }
+            continue;
+        }
         /* Lights of the sky: irradiance and direction. */
         murk_print("light       %zu, %s: %.4g %s in the bands", i,
                    murk_source_type_name(l->type), irradiance_of(stage, i),
                    murk_units_of(scene->units).irradiance);
-        if (isfinite(facts->elevation_deg)) {
-            murk_print("; %s at azimuth %.2f, elevation %.2f degrees",
-                       l->type == MURK_SOURCE_MOON ? "moon" : "sun",
-                       facts->azimuth_deg, facts->elevation_deg);
-        }
-        murk_print("\n");
+        print_body(l, facts);
         print_taken(stage, i);
     }
 }

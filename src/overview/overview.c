@@ -78,6 +78,7 @@ cJSON *murk_overview_json(const murk_overview *o)
     add_mesh_materials(root, o);
     murk_overview_json_media(root, stage);
     murk_overview_json_lights(root, stage);
+    murk_overview_json_weather(root, stage);
     cJSON_AddItemToObject(
         root, "candidates",
         o->candidates
@@ -155,6 +156,7 @@ void murk_overview_print(const void *of)
     print_mesh_materials(o);
     murk_overview_print_media(stage);
     murk_overview_print_lights(stage);
+    murk_overview_print_weather(stage);
     /* Candidates, sensors, tallies and cameras. */
     if (o->candidates) {
         murk_print_candidates(o->candidates);

@@ -27,6 +27,12 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage);
 void murk_overview_print_lights(const murk_stage *stage);
 void murk_overview_json_lights(cJSON *root, const murk_stage *stage);
 
+/* The weather at the time of the scene, and the preset that media with `preset:
+ * weather` have: "weather", see murk-results(5). Nothing if the scene takes no
+ * weather. */
+void murk_overview_print_weather(const murk_stage *stage);
+void murk_overview_json_weather(cJSON *root, const murk_stage *stage);
+
 /* Types of sensors, with the number of their usable candidates: "sensors", null
  * without poses. */
 void murk_overview_print_sensor_types(const murk_scene_desc *scene,

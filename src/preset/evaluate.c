@@ -175,14 +175,15 @@ static double extinction_at_550(const evaluation *e, bool scaled)
 /* Scales the scaled parts to the extinction at 550 nm that is left for them:
  * the extinction that belongs to the visibility, less that of the other parts.
  * Fails with MURK_BAD_VALUE if the extinction of the other parts alone is
- * larger than that of the visibility, or if the scaled parts have none. */
+ * larger than that of the visibility (unless the scaled parts may vanish), or
+ * if the scaled parts have none. */
 static murk_status scale(evaluation *e, const char *where, murk_error *err)
 {
     const double visibility_m = e->words.value[MURK_WORD_VISIBILITY][0];
     const double whole = murk_visibility_extinction(visibility_m);
     const double others = extinction_at_550(e, false);
     const double scaled = extinction_at_550(e, true);
-    if (!(whole >= others)) {
+    if (!(whole >= others) && !e->preset->scaled_may_vanish) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "a visibility of %.9g m, must be at most %.6g m, "
                          "which the rest of %s has by itself",
@@ -196,7 +197,7 @@ static murk_status scale(evaluation *e, const char *where, murk_error *err)
     }
     for (size_t i = 0; i < e->preset->parts; ++i) {
         if (e->preset->part[i].scaled) {
-            multiply(&e->part[i], e->at.n, (whole - others) / scaled);
+            multiply(&e->part[i], e->at.n, fmax(0, whole - others) / scaled);
         }
     }
     return MURK_OK;

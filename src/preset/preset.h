@@ -126,7 +126,10 @@ typedef struct murk_preset {
     murk_preset_source *source; /* [sources], at least 1 */
     size_t sources;
     murk_preset_texts doubts;
-    double wavelength_nm[2];           /* smallest, largest */
+    double wavelength_nm[2]; /* smallest, largest */
+    bool scaled_may_vanish;  /* if the other parts have more extinction than the
+                              * visibility says, the scaled parts have none;
+                              * false: that is refused */
     murk_preset_word word[MURK_WORDS]; /* without mor_m: murk_preset_word_of()
                                         * of check_words.h */
     murk_preset_part part[MURK_PRESET_PARTS_MAX];

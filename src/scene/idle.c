@@ -5,6 +5,7 @@
 
 #include "scene/key_path.h"
 #include "scene/walk.h"
+#include "scene/weather.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,6 +35,7 @@ enum {
     BUDGET,
     STORE,
     TIME,
+    WEATHER,
     N_USES
 };
 
@@ -48,6 +50,20 @@ bool murk_idle_asks_time(const murk_scene_desc *s)
         }
     }
     return false;
+}
+
+/* True if a light of the sky or a medium takes the weather. */
+static bool uses_weather(const murk_scene_desc *s)
+{
+    bool uses = false;
+    for (size_t i = 0; i < s->n_lights; ++i) {
+        uses = uses || s->lights[i].by_weather;
+    }
+    for (size_t i = 0; i < s->n_media; ++i) {
+        const char *preset = s->media[i].preset;
+        uses = uses || (preset && strcmp(preset, MURK_SCENE_BY_WEATHER) == 0);
+    }
+    return uses;
 }
 
 /* Adds the features of a scene. */
@@ -81,7 +97,8 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [REGRET] = p->over == MURK_SCENE_OBJECTIVE_REGRET,
         [BUDGET] = s->sensors.budget > 0,
         [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
-        [TIME] = murk_idle_asks_time(s),
+        [TIME] = murk_idle_asks_time(s) || uses_weather(s),
+        [WEATHER] = uses_weather(s),
     };
     for (int i = 0; i < N_USES; ++i) {
         uses[i] = uses[i] || own[i];
@@ -122,6 +139,8 @@ const murk_idle_key murk_idle_keys[] = {
     {"photons.store_when", STORE, "has no effect with maps: none"},
     {"photons.max_stored", STORE, "has no effect with maps: none"},
     {"site", TIME, WITHOUT "a light of the sky or a lamp with a schedule"},
+    {"weather", WEATHER,
+     WITHOUT "a light with cover: weather or a medium with preset: weather"},
     {NULL, N_USES, NULL},
 };
 

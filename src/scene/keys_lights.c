@@ -2,6 +2,7 @@
  * that they emit. scene/light_source.h has the files and powers of lamps. */
 #include "scene/keys_rows.h"
 #include "scene/light_source.h"
+#include "scene/weather.h"
 
 /* The sine of the angle between c0 and aim below which c0 is along the aim. */
 #define ALONG 1e-6
@@ -51,7 +52,8 @@ static murk_status check_light(murk_key_reader *walk, const murk_yaml *map,
 enum {
     MURK_SOURCE_TYPES(TYPE_BIT) /* */
     LAMPS = 0 MURK_SOURCE_TYPES(LAMP_BIT),
-    BY_TIME = SUN | MOON | SKY,
+    OF_SKY = SUN | MOON | SKY,
+    BY_TIME = OF_SKY | DAYLIGHT,
 };
 
 #define TYPE_WORD(id, name, group) {name, MURK_SOURCE_##id},
@@ -122,7 +124,7 @@ static const murk_key LIGHT_ROWS[] = {
         .max = MURK_TEMPERATURE_K_MAX, .unit = "K", FOR(LAMPS | DIRECTIONAL),
         LIGHT(temperature_k)),
     ROW("irradiance_w_per_m2", SHARED, NEEDED, IRRADIANCE, FOR(DIRECTIONAL)),
-    ROW("irradiance_w_per_m2", SHARED, IRRADIANCE, FOR(BY_TIME | NIGHT_SKY),
+    ROW("irradiance_w_per_m2", SHARED, IRRADIANCE, FOR(OF_SKY | NIGHT_SKY),
         IF(has_irradiance)),
     ROW("latitude_deg", NUMBER, LATITUDE, FOR(BY_TIME),
         LIGHT(site.latitude_deg), IF(site.has_latitude)),
@@ -137,8 +139,11 @@ static const murk_key LIGHT_ROWS[] = {
     ROW("cover", WORD, FOR(BY_TIME), .preset = "clear", LIGHT(cover),
         WORDS({"clear", MURK_SCENE_CLEAR},
               {"intermediate", MURK_SCENE_INTERMEDIATE},
-              {"overcast", MURK_SCENE_OVERCAST})),
-    ROW("cie_type", COUNT, FOR(SKY), .min = 1, .max = 15, LIGHT(cie_type)),
+              {"overcast", MURK_SCENE_OVERCAST},
+              /* check_sky() replaces it by one of the others */
+              {MURK_SCENE_BY_WEATHER, MURK_SCENE_CLEAR})),
+    ROW("cie_type", COUNT, FOR(SKY | DAYLIGHT), .min = 1, .max = 15,
+        LIGHT(cie_type)),
     ROW("mag_per_arcsec2", NUMBER, FOR(NIGHT_SKY), .min = 10, .max = 30,
         .unit = "mag/arcsec2", .preset = "21.6", LIGHT(mag_per_arcsec2)),
     ROW("aim", LIST, .keys = &murk_portal_keys, .preset = "[]",
@@ -166,6 +171,7 @@ static const murk_key LIGHT_ROWS[] = {
 const murk_keys murk_light_keys = {
     .noun = "light",
     .selector = "type",
+    .complete = murk_weather_complete_light,
     .check = check_light,
     VARIANT(murk_scene_light, type),
     WHERE(murk_scene_light, where),

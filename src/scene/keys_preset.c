@@ -335,6 +335,7 @@ static const murk_key PRESET_ROWS[] = {
                    ROW("most", NUMBER, NANOMETRES)),
         PRESET(wavelength_nm)),
     ROW("words", MAP, .keys = &WORDS_KEYS),
+    ROW("scaled_may_vanish", BOOL, PRESET(scaled_may_vanish)),
     ROW("parts", OWN, NEEDED, .read = read_parts,
         .allowed = "a list of 1..8 parts"),
     END,

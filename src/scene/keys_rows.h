@@ -113,7 +113,7 @@ extern const murk_keys murk_geometry_keys, murk_material_keys, murk_medium_keys,
     murk_placement_keys, murk_sensor_keys, murk_candidate_keys,
     murk_condition_keys, murk_condition_weight_keys, murk_interest_keys,
     murk_target_keys, murk_site_keys, murk_portal_keys, murk_camera_keys,
-    murk_timeline_keys;
+    murk_timeline_keys, murk_weather_keys;
 
 /* The keys of a box (murk_box) and of a sphere (murk_scene_solid). */
 extern const murk_keys murk_box_keys, murk_sphere_keys;

@@ -11,6 +11,7 @@
 #include "scene/light_source.h"
 #include "scene/override.h"
 #include "scene/walk_names.h"
+#include "scene/weather.h"
 
 /* ---- the scene ---- */
 
@@ -62,6 +63,8 @@ static const murk_key SCENE_ROWS[] = {
         SCENE(seed)),
     ROW("north", VECTOR, ANY_UNIT, .preset = "[0, 1, 0]", TRACED, STILL,
         SCENE(north)),
+    ROW("weather", MAP, .keys = &murk_weather_keys, VARIED, STILL,
+        INSIDE(murk_scene_desc, weather), FLAG(murk_scene_desc, weather.given)),
     ROW("site", MAP, .keys = &murk_site_keys, TRACED,
         INSIDE(murk_scene_desc, site)),
     ROW("timeline", MAP, .keys = &murk_timeline_keys, .may_differ = true, STILL,
@@ -106,6 +109,7 @@ static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
                               n.x, n.y, n.z);
     }
     scene->north = murk_scale(1 / length, n);
+    murk_weather_release(&scene->weather);
     murk_status status = murk_light_arrays_expand(walk, scene);
     if (!status) {
         status = murk_check_timeline(walk, scene);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "scene/value.h"
+#include "scene/weather.h"
 
 /* ---- the time ---- */
 
@@ -120,6 +121,7 @@ static const murk_key SITE_ROWS[] = {
 
 const murk_keys murk_site_keys = {
     .noun = "site",
+    .complete = murk_weather_complete_site,
     .check = check_site,
     WHERE(murk_scene_site, where),
     .key = SITE_ROWS,
@@ -249,7 +251,7 @@ static murk_status check_place_and_time(murk_key_reader *walk,
 /* Notes whether the irradiance is a total, and then stores the total in band 0.
  * Fails if the spectrum of the light would have to be spread over lines, which
  * have no width. Spreading is not needed if the irradiance is a list with one
- * value a band, or is given for a single band. */
+ * value a band, or is given for a single band, by the key or by the weather. */
 static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_light *light)
 {
@@ -264,7 +266,7 @@ static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
         light->power_w.band[0] = total;
     }
     if (walk->scene->has_edges || (node && node->kind == MURK_YAML_LIST) ||
-        (node && walk->scene->bands == 1)) {
+        ((node || light->by_weather) && walk->scene->bands == 1)) {
         return MURK_OK;
     }
     return murk_walk_fail(
@@ -276,9 +278,15 @@ static murk_status check_irradiance(murk_key_reader *walk, const murk_yaml *map,
 murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
                            murk_scene_light *light)
 {
-    inherit(&light->site, &walk->scene->site);
+    const murk_yaml *cover = murk_yaml_get(map, "cover");
     murk_status status = MURK_OK;
-    if (light->type != MURK_SOURCE_NIGHT_SKY) {
+    inherit(&light->site, &walk->scene->site);
+    if (cover && strcmp(cover->text, MURK_SCENE_BY_WEATHER) == 0) {
+        status = murk_weather_choose(walk, map);
+        light->by_weather = true;
+        light->cover = murk_weather_cover(&walk->scene->weather.seen);
+    }
+    if (!status && light->type != MURK_SOURCE_NIGHT_SKY) {
         status = check_place_and_time(walk, map, &light->site);
     }
     return status ? status : check_irradiance(walk, map, light);

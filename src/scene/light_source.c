@@ -1,5 +1,6 @@
 /* Reads photometric files and spectra of lamps, converts a luminous flux to
- * watts, spreads power over the bands, and expands arrays of lamps. */
+ * watts, spreads power over the bands, and expands arrays of lamps and
+ * daylight. */
 #include "scene/light_source.h"
 
 #include <inttypes.h>
@@ -7,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/daylight_parts.h"
 #include "base/photometry.h"
 #include "luminaire/photometric_file.h"
 #include "scene/table.h"
@@ -226,22 +228,52 @@ murk_status murk_light_source_read(murk_key_reader *walk, const murk_yaml *map,
 /* ---- arrays ---- */
 
 /* The number of lamps of a light. */
-static size_t lamps_of(const murk_scene_light *light)
+/* The lights that a light of the scene file stands for: the lamps of an array,
+ * or the parts of daylight. */
+static size_t lights_of(const murk_scene_light *light)
 {
     const size_t *count = light->array.count;
+    if (light->type == MURK_SOURCE_DAYLIGHT) {
+        murk_sun_places places;
+        murk_sun_places_make(&places, light->site.latitude_deg);
+        return MURK_SKY_PATCHES + places.n;
+    }
     return count[0] > 0 ? count[0] * count[1] : 1;
 }
 
-/* Copies a lamp to the place of a number of its array. */
-static bool copy_lamp(murk_scene_light *out, const murk_scene_light *first,
-                      size_t number)
+/* Makes a light the part of daylight of a number: first the patches of the sky,
+ * then the places of the sun. */
+static void become_part(murk_scene_light *light, size_t number)
+{
+    const bool is_patch = number < MURK_SKY_PATCHES;
+    light->type = is_patch ? MURK_SOURCE_SKY : MURK_SOURCE_SUN;
+    light->part = 1 + number - (is_patch ? 0 : MURK_SKY_PATCHES);
+}
+
+static murk_vec3 place_in_array(const murk_scene_light *first, size_t number)
 {
     const murk_scene_array *a = &first->array;
     const double i = (double)(number / a->count[1]),
                  j = (double)(number % a->count[1]);
+    return murk_along(murk_along(first->position, i, a->step1), j, a->step2);
+}
+
+/* Copies a light: a lamp to the place of a number of its array, daylight to the
+ * part of a number. */
+static bool copy_lamp(murk_scene_light *out, const murk_scene_light *first,
+                      size_t number)
+{
+    const size_t bytes = first->portals * sizeof *first->portal;
     *out = *first;
-    out->position =
-        murk_along(murk_along(first->position, i, a->step1), j, a->step2);
+    if (first->type == MURK_SOURCE_DAYLIGHT) {
+        become_part(out, number);
+    } else {
+        out->position = place_in_array(first, number);
+    }
+    out->portal = bytes > 0 ? malloc(bytes) : NULL;
+    if (out->portal) {
+        memcpy(out->portal, first->portal, bytes);
+    }
     out->file = first->file ? strdup(first->file) : NULL;
     out->spectrum_file =
         first->spectrum_file ? strdup(first->spectrum_file) : NULL;
@@ -250,12 +282,14 @@ static bool copy_lamp(murk_scene_light *out, const murk_scene_light *first,
     out->spectrum = murk_lamp_spectrum_share(first->spectrum);
     return !(first->file && !out->file) &&
            !(first->spectrum_file && !out->spectrum_file) &&
-           !(first->luminaire && !out->luminaire);
+           !(first->luminaire && !out->luminaire) &&
+           !(bytes > 0 && !out->portal);
 }
 
 static void release_copies(murk_scene_light *copy, size_t n)
 {
     for (size_t i = 0; i < n; ++i) {
+        free(copy[i].portal);
         free(copy[i].file);
         free(copy[i].spectrum_file);
         murk_luminaire_destroy(copy[i].luminaire);
@@ -264,15 +298,15 @@ static void release_copies(murk_scene_light *copy, size_t n)
     free(copy);
 }
 
-/* Makes copy[]: all lamps of arrays but the first of each, in order. Returns
- * NULL when out of memory. */
+/* Makes copy[]: all lamps of arrays and parts of daylight but the first of
+ * each, in order. Returns NULL when out of memory. */
 static murk_scene_light *copy_all(const murk_scene_desc *scene, size_t copies)
 {
     murk_scene_light *copy = calloc(copies, sizeof *copy);
     size_t n = 0;
     for (size_t i = 0; i < scene->n_lights && copy; ++i) {
         const murk_scene_light *light = &scene->lights[i];
-        for (size_t k = 1; k < lamps_of(light); ++k) {
+        for (size_t k = 1; k < lights_of(light); ++k) {
             if (!copy_lamp(&copy[n++], light, k)) {
                 release_copies(copy, n);
                 return NULL;
@@ -287,7 +321,7 @@ murk_status murk_light_arrays_expand(murk_key_reader *walk,
 {
     size_t all = 0;
     for (size_t i = 0; i < scene->n_lights; ++i) {
-        all += lamps_of(&scene->lights[i]);
+        all += lights_of(&scene->lights[i]);
     }
     const size_t copies = all - scene->n_lights;
     if (copies == 0) {
@@ -296,7 +330,8 @@ murk_status murk_light_arrays_expand(murk_key_reader *walk,
     if (all > MURK_SCENE_LIGHTS_MAX) {
         murk_walk_enter(walk, "lights");
         return murk_walk_fail(walk, murk_yaml_get(walk->root, "lights"),
-                              "%zu lights with the lamps of arrays, must be at "
+                              "%zu lights with the lamps of arrays and the "
+                              "parts of daylight, must be at "
                               "most %d",
                               all, MURK_SCENE_LIGHTS_MAX);
     }
@@ -310,12 +345,15 @@ murk_status murk_light_arrays_expand(murk_key_reader *walk,
     /* Merge lights and copies from the last to the first. */
     size_t to = all, next = copies;
     for (size_t i = scene->n_lights; i-- > 0;) {
-        const size_t lamps = lamps_of(&longer[i]);
+        const size_t lamps = lights_of(&longer[i]);
         const murk_scene_light first = longer[i];
         for (size_t k = 1; k < lamps; ++k) {
             longer[--to] = copy[--next];
         }
         longer[--to] = first;
+        if (first.type == MURK_SOURCE_DAYLIGHT) {
+            become_part(&longer[to], 0);
+        }
     }
     free(copy);
     scene->lights = longer;

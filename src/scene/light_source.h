@@ -22,8 +22,9 @@
 murk_status murk_light_source_read(murk_key_reader *walk, const murk_yaml *map,
                                    murk_scene_light *light);
 
-/* Replaces each light with an array by the lamps of the array, row by row, in
- * the place of the light. Fails with MURK_BAD_VALUE if there are more than
+/* Replaces each light with an array by the lamps of the array, row by row, and
+ * each light of type daylight by its parts, patches before places of the sun,
+ * in the place of the light. Fails with MURK_BAD_VALUE if there are more than
  * MURK_SCENE_LIGHTS_MAX then, and with MURK_NO_MEMORY. */
 murk_status murk_light_arrays_expand(murk_key_reader *walk,
                                      murk_scene_desc *scene);

@@ -12,6 +12,7 @@
 #include "base/number.h"
 #include "preset/check_words.h"
 #include "scene/presets.h"
+#include "scene/weather.h"
 
 /* ---- words ---- */
 
@@ -26,15 +27,29 @@ static void where_of(murk_key_reader *walk, const murk_yaml *map,
     murk_walk_leave(walk, back);
 }
 
+static bool is_by_weather(const murk_yaml *map)
+{
+    const murk_yaml *name = murk_yaml_get(map, "preset");
+    return name->kind == MURK_YAML_SCALAR &&
+           strcmp(name->text, MURK_SCENE_BY_WEATHER) == 0;
+}
+
+/* Reads the preset that the map names, or that the weather chooses. */
 static murk_status open_preset(murk_key_reader *walk, const murk_yaml *map,
                                murk_preset **out)
 {
     murk_scene_where where;
-    const murk_yaml *name = murk_yaml_get(map, "preset");
+    const murk_yaml *node = murk_yaml_get(map, "preset");
+    const char *name = node->kind == MURK_YAML_SCALAR ? node->text : "";
     where_of(walk, map, "preset", false, where);
-    return murk_presets_read(out,
-                             name->kind == MURK_YAML_SCALAR ? name->text : "",
-                             where, walk->err);
+    if (is_by_weather(map)) {
+        const murk_status status = murk_weather_choose(walk, node);
+        if (status) {
+            return status;
+        }
+        name = murk_weather_preset(&walk->scene->weather.seen);
+    }
+    return murk_presets_read(out, name, where, walk->err);
 }
 
 /* Adds the default of a word to the map: a number, or a list of numbers. */
@@ -93,7 +108,9 @@ murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map)
     }
     murk_preset *preset = NULL;
     murk_status status = open_preset(walk, map, &preset);
-    for (int i = 0; i < MURK_WORDS && !status; ++i) {
+    /* Words of the weather stay out of the tree, so that a resolved scene
+     * follows the weather at another time. */
+    for (int i = 0; i < MURK_WORDS && !status && !is_by_weather(map); ++i) {
         status = complete_word(walk, map, preset, (murk_word_id)i);
     }
     murk_preset_destroy(preset);
@@ -183,6 +200,9 @@ murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
     murk_scene_where where;
     where_of(walk, map, "preset", false, where);
     murk_status status = open_preset(walk, map, &preset);
+    if (!status && is_by_weather(map)) {
+        status = murk_weather_words(&medium->words, walk, map);
+    }
     if (!status) {
         status = check_ranges(walk, map, preset, &medium->words);
     }

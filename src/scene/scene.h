@@ -21,6 +21,7 @@
 #include "luminaire/lamp_spectrum.h"
 #include "luminaire/luminaire.h"
 #include "preset/preset.h"
+#include "weather/year.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -181,6 +182,18 @@ typedef struct murk_scene_site {
     double clock_s;
 } murk_scene_site;
 
+/* The weather: a weather year, or one report. */
+typedef struct murk_scene_weather {
+    murk_scene_where where;
+    bool given;
+    char *epw, *metar, *synop; /* path or text; one of them is given */
+    murk_weather_year *year;   /* contents of epw, while the scene is read; then
+                                * NULL */
+    bool is_chosen;            /* the observation was asked for */
+    murk_observation seen;     /* at the time of the scene */
+    int line;                  /* of the row in the file; 0: a report */
+} murk_scene_weather;
+
 typedef enum murk_scene_shining {
     MURK_SCENE_ALWAYS,
     MURK_SCENE_NIGHT, /* while the sun is down */
@@ -223,6 +236,9 @@ typedef struct murk_scene_array {
 typedef struct murk_scene_light {
     murk_scene_where where;
     murk_source_type type;
+    size_t part; /* sun or sky of a light of type daylight: the number, from 1,
+                  * of the place or patch (base/daylight_parts.h); 0: a light by
+                  * itself */
     size_t item; /* number of the item of the scene file: an array is one item
                   * and several lights */
     murk_vec3 position; /* center, corner, position or origin */
@@ -258,6 +274,8 @@ typedef struct murk_scene_light {
                             * spread by the spectrum of the source */
     double linke_turbidity;
     murk_scene_cover cover; /* sun, moon, sky */
+    bool by_weather;        /* irradiance and sky are those of the weather, and
+                             * `cover` follows from its clouds */
     uint64_t cie_type;      /* sky: 1..15; 0: chosen by `cover` */
     double mag_per_arcsec2; /* night sky, at the zenith */
 } murk_scene_light;
@@ -614,6 +632,7 @@ struct murk_scene_desc {
     bool has_edges;
     uint32_t seed;
     murk_vec3 north; /* horizontal unit vector */
+    murk_scene_weather weather;
     murk_scene_site site;
     murk_scene_timeline timeline;
     murk_vec3 origin; /* the local origin, in the coordinates of the file: all

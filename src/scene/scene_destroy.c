@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "scene/keys.h"
+#include "scene/weather.h"
 
 /* Frees the pointer that lies `at` bytes into a struct. The pointer becomes
  * NULL, because several keys may fill one member. */
@@ -55,6 +56,7 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
         return;
     }
     /* Members that no key or a reader of its own fills. */
+    murk_weather_release(&scene->weather);
     for (size_t i = 0; i < scene->n_media; ++i) {
         free(scene->media[i].vdb_frames);
         free(scene->media[i].vdb_next);

@@ -24,6 +24,7 @@
 #include "scene/value.h"
 #include "scene/variant.h"
 #include "scene/walk.h"
+#include "scene/weather.h"
 
 /* The data that live as long as the tree. */
 typedef struct reading {
@@ -130,14 +131,15 @@ static bool is_of_light(const char *key)
 static bool is_of_world(const char *key)
 {
     return is_of_light(key) && strcmp(key, "lights") != 0 &&
-           strcmp(key, "site") != 0;
+           strcmp(key, "site") != 0 && strcmp(key, "weather") != 0;
 }
 
 static bool is_of_rules(const char *key)
 {
     static const char *const others[] = {
-        "lights",   "site",    "geometry",  "materials",  "media",   "regions",
-        "timeline", "sensors", "placement", "conditions", "cameras", "units"};
+        "lights",     "site",    "weather",  "geometry", "materials",
+        "media",      "regions", "timeline", "sensors",  "placement",
+        "conditions", "cameras", "units"};
     bool is_other = false;
     for (size_t i = 0; i < sizeof others / sizeof *others; ++i) {
         is_other = is_other || strcmp(key, others[i]) == 0;
@@ -193,6 +195,7 @@ static char *print_key(const murk_key_reader *walk,
     }
     if (is_wanted("lights")) {
         murk_light_source_sign(out, scene);
+        murk_weather_sign(out, scene);
     }
     if (is_wanted("geometry") && scene->timeline.given) {
         fprintf(out, "rounding of the domain\n"); /* world/stage_build.c */

@@ -1,8 +1,9 @@
 /* Reads the axes of a study file: lists of values, ranges {from, to, steps},
- * and names with several keys each. Checks that no key is set by two axes,
- * and counts the rows. */
+ * hours of a weather year, and names with several keys each. Checks that no key
+ * is set by two axes, and counts the rows. */
 #include "scene/study_axes.h"
 
+#include "scene/keys_rows.h"
 #include "scene/override.h"
 #include "scene/print.h"
 #include "scene/study_file.h"
@@ -11,6 +12,8 @@
 
 #include <stdlib.h>
 #include <string.h>
+
+#include "weather/year.h"
 
 /* Stores a value and the text for tables; takes ownership of both, also on
  * failure. */
@@ -127,6 +130,85 @@ static murk_status read_range(murk_key_reader *walk, murk_study_axis *axis,
     return status;
 }
 
+/* ---- hours of a weather year ---- */
+
+/* {hours_of, first, last, step}: the middles of rows of a weather year. */
+typedef struct hours {
+    char *file;
+    size_t first, last, step; /* rows, from 1 */
+} hours;
+
+#define HOURS(member) AT(hours, member)
+
+static const murk_key HOURS_ROWS[] = {
+    ROW("hours_of", PATH, NEEDED, HOURS(file)),
+    ROW("first", COUNT, .min = 1, .max = 1e7, .preset = "1", HOURS(first)),
+    ROW("last", COUNT, .min = 1, .max = 1e7, HOURS(last)),
+    ROW("step", COUNT, .min = 1, .max = 1e7, .preset = "1", HOURS(step)),
+    END,
+};
+
+static const murk_keys HOURS_KEYS = {.noun = "hours", .key = HOURS_ROWS};
+
+static murk_yaml *text_node(const murk_yaml *map, const char *text)
+{
+    murk_yaml *value = murk_yaml_make(MURK_YAML_SCALAR, map->source);
+    if (value) {
+        value->line = map->line;
+        value->column = map->column;
+        value->is_quoted = true;
+    }
+    if (value && !murk_yaml_set_text(value, text)) {
+        murk_yaml_destroy(value);
+        value = NULL;
+    }
+    return value;
+}
+
+static murk_status put_hours(murk_key_reader *walk, murk_study_axis *axis,
+                             const murk_yaml *map, const hours *h,
+                             const murk_weather_year *year)
+{
+    const size_t last = h->last > 0 ? h->last : year->n;
+    if (h->first > last || last > year->n) {
+        return murk_walk_fail(walk, map,
+                              "rows %zu to %zu, must rise and be among 1..%zu",
+                              h->first, last, year->n);
+    }
+    const size_t n = 1 + (last - h->first) / h->step;
+    murk_status status = reserve_values(walk, axis, map, n);
+    for (size_t i = 0; i < n && !status; ++i) {
+        const murk_weather_row *row = &year->row[h->first - 1 + i * h->step];
+        char text[MURK_TIME_SIZE];
+        murk_time_print(text, murk_weather_row_middle(year, row),
+                        year->zone_min);
+        status = put(walk, axis, i, text_node(map, text), strdup(text));
+    }
+    return status;
+}
+
+static murk_status read_hours(murk_key_reader *walk, murk_study_axis *axis,
+                              murk_yaml *map)
+{
+    hours h = {0};
+    murk_weather_year *year = NULL;
+    murk_status status = murk_walk_map(walk, &HOURS_KEYS, map, &h);
+    if (!status && strcmp(axis->path, "site.time") != 0) {
+        status = murk_walk_fail(walk, map,
+                                "hours_of gives times, must be of the axis "
+                                "site.time");
+    }
+    if (!status) {
+        status = murk_weather_year_read(&year, h.file, walk->err);
+    }
+    if (!status) {
+        status = put_hours(walk, axis, map, &h, year);
+    }
+    free(year);
+    free(h.file);
+    return status;
+}
+
 /* ---- axes ---- */
 
 /* Short names of axes. */
@@ -169,8 +251,9 @@ static murk_status read_axis(murk_key_reader *walk, murk_study_axis *axis,
 {
     static const murk_key any = {.kind = MURK_KEY_OWN,
                                  .allowed =
-                                     "a list of values, {from, to, steps}, or "
-                                     "names with their keys"};
+                                     "a list of values, {from, to, steps}, "
+                                     "{hours_of: FILE}, or names with their "
+                                     "keys"};
     murk_status status = MURK_OK;
     axis->name = name;
     axis->path = path_of(name);
@@ -183,6 +266,8 @@ static murk_status read_axis(murk_key_reader *walk, murk_study_axis *axis,
             murk_walk_fail_key(walk, node, "a name with control characters");
     } else if (node->kind == MURK_YAML_LIST) {
         status = read_list(walk, axis, node);
+    } else if (murk_yaml_get(node, "hours_of")) {
+        status = read_hours(walk, axis, node);
     } else if (is_range(node)) {
         status = read_range(walk, axis, node);
     } else if (node->kind == MURK_YAML_MAP && node->n > 0) {

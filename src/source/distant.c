@@ -13,6 +13,7 @@
 #include <stdio.h>
 
 #include "source/entry_faces.h"
+#include "source/patch_table.h"
 
 #define TWO_PI (2 * MURK_PI) /* a full turn */
 
@@ -276,7 +277,10 @@ static double sky_radiance(const murk_source_state *s, int band,
 static double sky_per_sr(const murk_source *l, murk_vec3 place,
                          murk_vec3 travel)
 {
-    return l->portals > 0 ? portals_per_sr(l, place, travel) : 1 / TWO_PI;
+    const murk_sky_patch *patch = &l->dome.patch;
+    return l->portals > 0    ? portals_per_sr(l, place, travel)
+           : patch->high > 0 ? 1 / murk_sky_patch_sr(patch)
+                             : 1 / TWO_PI;
 }
 
 static bool shine_sky(const murk_source_state *s, int band, murk_vec3 place,
@@ -287,6 +291,10 @@ static bool shine_sky(const murk_source_state *s, int band, murk_vec3 place,
         if (!sample_portal(l, place, u, shine)) {
             return false;
         }
+    } else if (l->dome.patch.high > 0) {
+        shine->direction =
+            murk_scale(-1, murk_sky_patch_at(&l->dome.patch, u[0], u[1]));
+        shine->per_sr = 1 / murk_sky_patch_sr(&l->dome.patch);
     } else {
         const double side = sqrt((1 - u[0]) * (1 + u[0])), phi = TWO_PI * u[1];
         shine->direction = murk_vec(-side * cos(phi), -side * sin(phi), -u[0]);

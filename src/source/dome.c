@@ -3,6 +3,8 @@
 #include "source/dome.h"
 
 #include <assert.h>
+#include <math.h>
+#include <stdbool.h>
 
 /* Coefficients a, b, c, d, e of types 1..15 (CIE S 011). */
 static const double TYPE[MURK_DOME_TYPES][5] = {
@@ -35,10 +37,25 @@ static double angle_between(murk_vec3 a, murk_vec3 b)
     return 2 * atan2(murk_length(murk_sub(a, b)), murk_length(murk_add(a, b)));
 }
 
+/* True if a direction lies in the patch; of an edge that two patches share, one
+ * of them has it. */
+static bool is_within(const murk_sky_patch *patch, murk_vec3 d)
+{
+    const double turn = 2 * MURK_PI;
+    double azimuth = atan2(d.y, d.x);
+    azimuth += azimuth < patch->from_rad ? turn : 0;
+    azimuth += azimuth < patch->from_rad ? turn : 0;
+    return d.z >= patch->low && (d.z < patch->high || patch->high >= 1) &&
+           azimuth < patch->to_rad;
+}
+
 double murk_dome_radiance(const murk_dome *dome, murk_vec3 direction)
 {
     if (!(direction.z >= 0)) {
         return 0;
+    }
+    if (dome->patch.high > 0) {
+        return is_within(&dome->patch, direction) ? 1 : 0;
     }
     double radiance = 1;
     if (dome->a != 0) {

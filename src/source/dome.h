@@ -24,12 +24,21 @@
 
 #define MURK_DOME_TYPES 15 /* of CIE S 011 */
 
+/* A part of the sky between two elevations and two azimuths. */
+typedef struct murk_sky_patch {
+    double low, high;        /* sines of the elevations; high 0: no patch */
+    double from_rad, to_rad; /* azimuths from the axis x towards y, from_rad in
+                              * 0..2 pi and to_rad above it, by at most 2 pi */
+} murk_sky_patch;
+
 typedef struct murk_dome {
-    double a, b;       /* gradation */
-    double c, d, e;    /* indicatrix; d per radian */
-    murk_vec3 towards; /* direction of the sun (or moon) from the ground; any
-                        * length, may be below the horizon. Not read if c and e
-                        * are 0 */
+    double a, b;          /* gradation */
+    double c, d, e;       /* indicatrix; d per radian */
+    murk_vec3 towards;    /* direction of the sun (or moon) from the ground; any
+                           * length, may be below the horizon. Not read if c and e
+                           * are 0 */
+    murk_sky_patch patch; /* the sky is even in this patch and dark elsewhere;
+                           * without a patch the whole sky shines */
 } murk_dome;
 
 /* Returns a type of the standard, 1..15: 1 overcast, 5 even, 12 clear. */

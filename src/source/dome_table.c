@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "source/patch_table.h"
+
 /* Cells and nodes of an axis, and all cells. */
 #define CELLS MURK_DOME_CELLS
 #define NODES (CELLS + 1)
@@ -20,15 +22,21 @@
 #define KEEPS_BITS (32 - OTHER_BITS)
 _Static_assert(CELLS *CELLS <= 1 << OTHER_BITS, "cells are numbered in a word");
 
-struct murk_dome_table {
+typedef struct whole_sky {
     murk_vec3 along, up, outward; /* frame of the face; `along` is horizontal */
     double x[NODES], a[NODES];
     float density[NODES][NODES];  /* [x][a] */
     uint32_t cell[CELLS * CELLS]; /* [x * CELLS + a] keeps, other */
+} whole_sky;
+
+/* One of the two tables is owned, the other NULL. */
+struct murk_dome_table {
+    whole_sky *whole;
+    murk_patch_table *patch;
     double irradiance;
 };
 
-static void set_nodes(murk_dome_table *t)
+static void set_nodes(whole_sky *t)
 {
     const murk_vec3 m = t->outward;
     const double level = sqrt(m.x * m.x + m.y * m.y);
@@ -51,8 +59,7 @@ static inline double cosine_of(double sine)
 }
 
 /* The unit direction to the sky at a point of the rectangle. */
-static inline murk_vec3 direction_at(const murk_dome_table *t, double x,
-                                     double a)
+static inline murk_vec3 direction_at(const whole_sky *t, double x, double a)
 {
     const double rest = cosine_of(x), cosine = rest * cosine_of(a);
     murk_vec3 d = murk_scale(x, t->along);
@@ -60,8 +67,8 @@ static inline murk_vec3 direction_at(const murk_dome_table *t, double x,
     return murk_along(d, cosine, t->outward);
 }
 
-static murk_status fill(murk_dome_table *t, const murk_dome *dome,
-                        const char *where, murk_error *err)
+static murk_status fill(whole_sky *t, const murk_dome *dome, const char *where,
+                        murk_error *err)
 {
     for (int i = 0; i < NODES; ++i) {
         const double width = cosine_of(t->x[i]);
@@ -84,7 +91,7 @@ static murk_status fill(murk_dome_table *t, const murk_dome *dome,
 
 /* Fills share[ALL] with the irradiance of each cell divided by the mean of all
  * cells; all are 0 if the sum is 0. Returns the sum of the irradiances. */
-static double weigh(const murk_dome_table *t, double *share)
+static double weigh(const whole_sky *t, double *share)
 {
     double sum = 0;
     for (size_t i = 0; i < CELLS; ++i) {
@@ -115,8 +122,7 @@ static uint32_t packed(double keeps, uint32_t other)
  * up from a cell above the mean; cells that are left at the end have a share of
  * 1 but for rounding and are always kept. stack[ALL] holds the small cells at
  * the front and the large ones at the end. */
-static void build_alias_table(murk_dome_table *t, double *share,
-                              uint32_t *stack)
+static void build_alias_table(whole_sky *t, double *share, uint32_t *stack)
 {
     size_t small = 0, large = ALL;
     for (uint32_t c = 0; c < ALL; ++c) {
@@ -138,11 +144,11 @@ static void build_alias_table(murk_dome_table *t, double *share,
     }
 }
 
-murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
-                                   murk_vec3 outward, const char *where,
-                                   murk_error *err)
+static murk_status tabulate_whole(murk_dome_table *out, const murk_dome *dome,
+                                  murk_vec3 outward, const char *where,
+                                  murk_error *err)
 {
-    murk_dome_table *table = malloc(sizeof *table);
+    whole_sky *table = malloc(sizeof *table);
     double *share = malloc(ALL * sizeof *share);
     uint32_t *stack = malloc(ALL * sizeof *stack);
     murk_status status = MURK_OK;
@@ -155,9 +161,9 @@ murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
     set_nodes(table);
     status = fill(table, dome, where, err);
     if (!status) {
-        table->irradiance = weigh(table, share);
+        out->irradiance = weigh(table, share);
         build_alias_table(table, share, stack);
-        *out = table;
+        out->whole = table;
         table = NULL;
     }
 done:
@@ -167,9 +173,45 @@ done:
     return status;
 }
 
+static murk_status tabulate_patch(murk_dome_table *out, const murk_dome *dome,
+                                  murk_vec3 outward, const char *where,
+                                  murk_error *err)
+{
+    out->patch = malloc(sizeof *out->patch);
+    if (!out->patch) {
+        return murk_no_memory(err, where, "for a sky");
+    }
+    murk_patch_table_fill(out->patch, &dome->patch, outward);
+    out->irradiance = out->patch->irradiance;
+    return MURK_OK;
+}
+
+murk_status murk_dome_table_create(murk_dome_table **out, const murk_dome *dome,
+                                   murk_vec3 outward, const char *where,
+                                   murk_error *err)
+{
+    murk_dome_table *table = calloc(1, sizeof *table);
+    if (!table) {
+        return murk_no_memory(err, where, "for a sky");
+    }
+    const murk_status status =
+        dome->patch.high > 0 ? tabulate_patch(table, dome, outward, where, err)
+                             : tabulate_whole(table, dome, outward, where, err);
+    if (status) {
+        murk_dome_table_destroy(table);
+        return status;
+    }
+    *out = table;
+    return MURK_OK;
+}
+
 void murk_dome_table_destroy(murk_dome_table *table)
 {
-    free(table);
+    if (table) {
+        free(table->whole);
+        free(table->patch);
+        free(table);
+    }
 }
 
 double murk_dome_table_irradiance(const murk_dome_table *table)
@@ -185,7 +227,7 @@ static double slanted(double from, double to, double u)
            (from + sqrt(from * from + u * (to - from) * (to + from)));
 }
 
-murk_vec3 murk_dome_table_draw(const murk_dome_table *t, const double u[4])
+static murk_vec3 draw_whole(const whole_sky *t, const double u[4])
 {
     const size_t first = (size_t)(u[0] * (double)ALL);
     const uint32_t cell = t->cell[first];
@@ -201,4 +243,10 @@ murk_vec3 murk_dome_table_draw(const murk_dome_table *t, const double u[4])
     const double x = t->x[i] + p * (t->x[i + 1] - t->x[i]);
     const double a = t->a[j] + q * (t->a[j + 1] - t->a[j]);
     return direction_at(t, x, a);
+}
+
+murk_vec3 murk_dome_table_draw(const murk_dome_table *t, const double u[4])
+{
+    return t->patch ? murk_patch_table_draw(t->patch, u)
+                    : draw_whole(t->whole, u);
 }

@@ -43,6 +43,9 @@ typedef struct murk_source {
     double angular_radius_rad; /* directional: angular radius of the source; 0:
                                 * parallel rays */
     murk_dome dome;            /* dome: the distribution of radiance */
+    bool is_part;              /* a part of daylight (world/daylight.h): where
+                                * the light comes from is the same at all times,
+                                * also while the part is dark */
     const murk_portal *portal; /* directional, dome: [portals], at which the
                                 * light is aimed */
     size_t portals;            /* 0: the light is aimed at the domain */

@@ -7,8 +7,9 @@
 
 #include <stddef.h>
 
-#define MURK_GROUPS_MAX 200 /* more than MURK_REPORT_MAX has of usual length \
-                             */
+#define MURK_GROUPS_MAX                                  \
+    200 /* more than MURK_REPORT_MAX has of usual length \
+         */
 
 typedef struct murk_groups {
     char text[MURK_REPORT_MAX + 1]; /* cut into groups */

@@ -5,7 +5,8 @@
  * source/night_sky.h; each of these headers cites the model. This file adds
  * clouds (Kasten and Czeplak 1980, below), the choice of the radiance
  * distribution of the sky (CIE standard general sky, source/dome.h), the split
- * of the irradiance into bands, and the schedules of lamps. */
+ * of the irradiance into bands, the weather (scene/weather.h), daylight in
+ * parts (world/daylight.h), and the schedules of lamps. */
 #include "world/sky.h"
 
 #include <assert.h>
@@ -21,6 +22,7 @@
 #include "source/night_sky.h"
 #include "source/solar_spectrum.h"
 #include "source/twilight.h"
+#include "world/daylight.h"
 #include "world/lamp_shape.h"
 
 #define DAY_S     86400.0         /* seconds of a day */
@@ -298,7 +300,9 @@ static murk_status sun_light(murk_source *out, murk_sky_facts *facts,
      * the elevation, it is normal to the beam; it is never more than the direct
      * irradiance of a clear sky. */
     double direct = day.clear.direct_w_per_m2;
-    if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
+    if (light->by_weather && !isnan(scene->weather.seen.direct_w_per_m2)) {
+        direct = scene->weather.seen.direct_w_per_m2;
+    } else if (light->cover != MURK_SCENE_CLEAR && facts->is_on) {
         const clouds c = clouds_of(light->cover);
         direct =
             fmin(direct, c.left * (1 - c.diffuse) * day.clear.global_w_per_m2 /
@@ -376,34 +380,74 @@ static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
     return fmax(by_day, c.left * twilight);
 }
 
+/* Sets cover and type of a sky under the weather by the clearness, if the sun
+ * is up and both irradiances are measured. Classes 1 and 2 are overcast, 3 to 5
+ * partly cloudy. */
+static void see_clearness(murk_scene_light *light, const murk_observation *seen,
+                          const murk_body *sun)
+{
+    enum { OVERCAST_UP_TO = 2, CLOUDY_UP_TO = 5 };
+    const double all = seen->direct_w_per_m2 + seen->diffuse_w_per_m2;
+    if (isnan(all) || !(all > 0) || !(sun->elevation_deg > 0)) {
+        return;
+    }
+    const int clearness =
+        murk_sky_clearness(seen->direct_w_per_m2, seen->diffuse_w_per_m2,
+                           (RIGHT_DEG - sun->elevation_deg) * RAD);
+    light->cover = clearness <= OVERCAST_UP_TO ? MURK_SCENE_OVERCAST
+                   : clearness <= CLOUDY_UP_TO ? MURK_SCENE_INTERMEDIATE
+                                               : MURK_SCENE_CLEAR;
+    if (light->cie_type == 0) {
+        light->cie_type = (uint64_t)murk_sky_cie_type(clearness);
+    }
+}
+
+/* Diffuse irradiance by sunlight on a level plane [W/m2]: that of the weather,
+ * if it states one, else that of the models. A measured 0 while the sun is down
+ * is less than the instrument resolves, and leaves the twilight. */
+static double diffuse_by_sun(const murk_scene_desc *scene,
+                             const murk_scene_light *light, const daylight *day,
+                             const murk_solar_spectrum *spectrum)
+{
+    const double measured =
+        light->by_weather ? scene->weather.seen.diffuse_w_per_m2 : NAN;
+    return measured > 0 || (measured == 0 && day->sun.elevation_deg > 0)
+               ? measured
+               : scattered_w_per_m2(day, light->cover, spectrum);
+}
+
 static murk_status sky_light(murk_source *out, murk_sky_facts *facts,
                              const murk_scene_desc *scene,
-                             const murk_scene_light *light, murk_error *err)
+                             const murk_scene_light *given, murk_error *err)
 {
     /* The type of the CIE standard general sky for each key word: 12 clear, 7
      * partly cloudy, 1 overcast. The key cie_type replaces it. */
     static const int type_of[] = {[MURK_SCENE_CLEAR] = 12,
                                   [MURK_SCENE_INTERMEDIATE] = 7,
                                   [MURK_SCENE_OVERCAST] = 1};
-    const murk_spectrum_source source = light->cover == MURK_SCENE_CLEAR
-                                            ? MURK_SPECTRUM_CLEAR_SKY
-                                            : MURK_SPECTRUM_OVERCAST;
     /* Positions of sun and moon, and the light of both under a clear sky. */
     daylight day;
     murk_body body;
     murk_moonlight moonlight;
-    murk_status status = find_daylight(&day, light, err);
+    murk_status status = find_daylight(&day, given, err);
     if (!status) {
-        status = find_moonlight(&body, &moonlight, light, err);
+        status = find_moonlight(&body, &moonlight, given, err);
     }
     if (status) {
         return status;
     }
+    murk_scene_light seen = *given;
+    const murk_scene_light *const light = &seen;
+    if (given->by_weather) {
+        see_clearness(&seen, &scene->weather.seen, &day.sun);
+    }
+    const murk_spectrum_source source = light->cover == MURK_SCENE_CLEAR
+                                            ? MURK_SPECTRUM_CLEAR_SKY
+                                            : MURK_SPECTRUM_OVERCAST;
     /* Diffuse irradiance from the sun and from the moon. */
     facts->spectrum = spectrum_of(
         source, light, fmax(day.sun.elevation_deg, body.elevation_deg));
-    const double by_sun =
-        scattered_w_per_m2(&day, light->cover, &facts->spectrum);
+    const double by_sun = diffuse_by_sun(scene, light, &day, &facts->spectrum);
     const double by_moon = clouds_of(light->cover).left *
                            moonlight.diffuse_lux /
                            lumen_per_watt(&facts->spectrum);
@@ -465,9 +509,10 @@ static double sum(const murk_spectrum *spectrum, int bands)
     return all;
 }
 
-murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
-                           const murk_scene_desc *scene, size_t light,
-                           murk_error *err)
+/* Converts sun, moon or a sky as a whole. */
+static murk_status whole_light(murk_source *out, murk_sky_facts *facts,
+                               const murk_scene_desc *scene,
+                               const murk_scene_light *light, murk_error *err)
 {
     static murk_status (*const of_sky[])(
         murk_source *, murk_sky_facts *, const murk_scene_desc *,
@@ -476,15 +521,90 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
                          [MURK_SOURCE_MOON] = moon_light,
                          [MURK_SOURCE_SKY] = sky_light,
                          [MURK_SOURCE_NIGHT_SKY] = night_light};
+    *out = (murk_source){.type = light->type, .where = light->where};
+    const murk_status status =
+        of_sky[light->type](out, facts, scene, light, err);
+    if (!status && !facts->is_on) {
+        out->power_w = murk_spectrum_flat(0, MURK_BANDS_MAX);
+    }
+    return status;
+}
+
+/* ---- daylight in parts ---- */
+
+/* What the parts of the last light of type daylight have in common, so that sun
+ * and sky are computed once for all of them. */
+typedef struct whole_daylight {
+    bool is_made;
+    size_t item;
+    murk_source sun, sky;
+    murk_sky_facts sun_facts, sky_facts;
+    murk_daylight parts;
+} whole_daylight;
+
+static murk_status make_daylight(whole_daylight *out,
+                                 const murk_scene_desc *scene,
+                                 const murk_scene_light *part, murk_error *err)
+{
+    murk_scene_light whole = *part;
+    whole.part = 0;
+    whole.type = MURK_SOURCE_SUN;
+    out->sun_facts = out->sky_facts = (murk_sky_facts){.is_on = true};
+    murk_status status =
+        whole_light(&out->sun, &out->sun_facts, scene, &whole, err);
+    whole.type = MURK_SOURCE_SKY;
+    if (!status) {
+        status = whole_light(&out->sky, &out->sky_facts, scene, &whole, err);
+    }
+    if (!status) {
+        murk_daylight_make(&out->parts, &out->sun, &out->sky,
+                           part->site.latitude_deg, scene->north);
+    }
+    out->sun.where = out->sky.where = NULL; /* `whole` ends here */
+    out->item = part->item;
+    out->is_made = !status;
+    return status;
+}
+
+static murk_status part_of_daylight(murk_source *out, murk_sky_facts *facts,
+                                    const murk_scene_desc *scene,
+                                    const murk_scene_light *light,
+                                    whole_daylight *day, murk_error *err)
+{
+    if (!day->is_made || day->item != light->item) {
+        const murk_status status = make_daylight(day, scene, light, err);
+        if (status) {
+            return status;
+        }
+    }
+    if (light->type == MURK_SOURCE_SKY) {
+        *out = day->sky;
+        *facts = day->sky_facts;
+        murk_daylight_patch(out, &day->parts, light->part - 1);
+    } else {
+        *out = day->sun;
+        *facts = day->sun_facts;
+        murk_daylight_place(out, &day->parts, light->part - 1);
+    }
+    out->where = light->where;
+    return MURK_OK;
+}
+
+/* As murk_sky_light(); `day` is for lights of the same scene. */
+static murk_status convert(murk_source *out, murk_sky_facts *facts,
+                           const murk_scene_desc *scene, size_t light,
+                           whole_daylight *day, murk_error *err)
+{
     const murk_scene_light *l = &scene->lights[light];
     murk_status status;
     *facts = (murk_sky_facts){
         .is_on = true, .azimuth_deg = NAN, .elevation_deg = NAN};
     /* Sun, moon and skies are computed; lamps and directional light follow
      * their schedule. */
-    if (murk_scene_light_is_of_sky(l)) {
-        *out = (murk_source){.type = l->type, .where = l->where};
-        status = of_sky[l->type](out, facts, scene, l, err);
+    if (l->part > 0) {
+        status = part_of_daylight(out, facts, scene, l, day, err);
+    } else if (murk_scene_light_is_of_sky(l)) {
+        status = whole_light(out, facts, scene, l, err);
     } else {
         *out = murk_sky_lamp(l);
         facts->lamp_spectrum = l->spectrum;
@@ -504,6 +624,14 @@ murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
+murk_status murk_sky_light(murk_source *out, murk_sky_facts *facts,
+                           const murk_scene_desc *scene, size_t light,
+                           murk_error *err)
+{
+    whole_daylight day = {0};
+    return convert(out, facts, scene, light, &day, err);
+}
+
 murk_status murk_sky_lights(murk_source **out, murk_sky_facts *facts,
                             const murk_scene_desc *scene, murk_error *err)
 {
@@ -520,6 +648,7 @@ murk_status murk_sky_lights(murk_source **out, murk_sky_facts *facts,
         return murk_no_memory(err, scene->path, "for the lights");
     }
     murk_portal *next = (murk_portal *)(light + n + 1);
+    whole_daylight day = {0};
     /* Convert each light source, and append its portals to the portals of the
      * sources before it. */
     murk_status status = MURK_OK;
@@ -527,7 +656,7 @@ murk_status murk_sky_lights(murk_source **out, murk_sky_facts *facts,
         const murk_scene_light *from = &scene->lights[i];
         murk_sky_facts own;
         status =
-            murk_sky_light(&light[i], facts ? &facts[i] : &own, scene, i, err);
+            convert(&light[i], facts ? &facts[i] : &own, scene, i, &day, err);
         light[i].portal = next;
         light[i].portals = from->portals;
         for (size_t k = 0; k < from->portals; ++k) {

@@ -25,10 +25,11 @@ static void put_vector(FILE *out, murk_vec3 v)
 
 /* Prints all properties of a source that photons depend on, except the power.
  * For distant light without power the text is one word: the position of a sun
- * below the horizon, for example, changes no photon. */
+ * below the horizon, for example, changes no photon. Parts of daylight have
+ * their text all the same, so that hours share their light. */
 static void put_light(FILE *out, const murk_source *l)
 {
-    if (murk_source_is_distant(l) && !shines(l)) {
+    if (murk_source_is_distant(l) && !shines(l) && !l->is_part) {
         fputs("dark\n", out);
         return;
     }
@@ -39,6 +40,10 @@ static void put_light(FILE *out, const murk_source *l)
     put_vector(out, l->direction);
     fprintf(out, "%a %a %a %a %a %a\n", l->angular_radius_rad, l->dome.a,
             l->dome.b, l->dome.c, l->dome.d, l->dome.e);
+    if (l->dome.patch.high > 0) {
+        fprintf(out, "%a %a %a %a\n", l->dome.patch.low, l->dome.patch.high,
+                l->dome.patch.from_rad, l->dome.patch.to_rad);
+    }
     if (l->intensity) {
         uint64_t sum[2];
         murk_intensity_checksum(l->intensity, sum);

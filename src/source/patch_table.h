@@ -1,0 +1,41 @@
+/* A table of a patch of the sky as seen by a plane entry face, from which
+ * directions are drawn in proportion to the cosine at the face. For use inside
+ * src/source only.
+ *
+ * The patch is cut into cells of equal solid angle. The cosine is that of the
+ * middle of a cell for the whole cell, which is at most 1.5 degrees wide for
+ * the patches of MURK_SKY_PATCHES; a cell that the plane of the face cuts
+ * counts by the mean of its corners in front of the face. */
+#ifndef MURK_SOURCE_PATCH_TABLE_H
+#define MURK_SOURCE_PATCH_TABLE_H
+
+#include "source/dome.h"
+
+#define MURK_PATCH_CELLS 8 /* along each side of the patch */
+
+typedef struct murk_patch_table {
+    murk_sky_patch patch;
+    murk_vec3 outward; /* unit vector from the face to the sky */
+    double irradiance; /* integral of the cosine over the patch */
+    double end[MURK_PATCH_CELLS * MURK_PATCH_CELLS]; /* cumulative shares of the
+                                                      * cells */
+} murk_patch_table;
+
+/* Fills the table; the patch must have a solid angle. */
+void murk_patch_table_fill(murk_patch_table *out, const murk_sky_patch *patch,
+                           murk_vec3 outward);
+
+/* Draws a unit direction that points from the face to the sky, from three of
+ * four uniform numbers in (0, 1). The irradiance must be above 0. */
+murk_vec3 murk_patch_table_draw(const murk_patch_table *table,
+                                const double u[4]);
+
+/* The unit direction at two shares, 0..1, of the sine of the elevation and of
+ * the azimuth. */
+murk_vec3 murk_sky_patch_at(const murk_sky_patch *patch, double up,
+                            double around);
+
+/* The solid angle [sr]. */
+double murk_sky_patch_sr(const murk_sky_patch *patch);
+
+#endif
