@@ -3,6 +3,7 @@
 #include "base/daylight_parts.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #define DEG (MURK_PI / 180) /* radians */
 
@@ -18,6 +19,7 @@
 
 murk_patch_bounds murk_sky_patch_bounds(size_t patch)
 {
+    /* Patches of each row, which is 12 degrees high (Tregenza 1987). */
     static const size_t in_row[] = {30, 30, 24, 24, 18, 12, 6, 1};
     const double height = 12 * DEG;
     size_t row = 0;
@@ -56,55 +58,75 @@ void murk_sun_places_make(murk_sun_places *out, double latitude_deg)
     }
 }
 
-/* The numbers of the three places about a sun at a declination and hour angle:
- * each cell between places is cut along the diagonal from the higher
- * declination and the earlier hour. */
-static void find_triangle(int node[3][2], double declination, double hour)
+/* A triangle of places, which may be below the horizon, and the shares of a sun
+ * in them. */
+typedef struct triangle {
+    int row[3], hour[3];
+    murk_vec3 at[3];
+    double share[3], smallest; /* may be negative: the sun is outside */
+} triangle;
+
+/* One of the two triangles of a cell between two declinations and two hours,
+ * with the shares by Cramer's rule. */
+static triangle triangle_of(double latitude, int row, int hour, bool is_upper,
+                            murk_vec3 sun)
 {
-    const int last = MURK_SUN_DECLINATIONS - 2;
-    const double u =
-        fmin(fmax((declination + DECLINATION_MAX) / STEP, 0), last + 1);
-    const double v = hour / HOUR - MURK_SUN_HOURS * floor(hour / (2 * MURK_PI));
-    const int i = (int)fmin(floor(u), last), j = (int)floor(v) % MURK_SUN_HOURS;
-    const int next = (j + 1) % MURK_SUN_HOURS;
-    const int is_upper = u - i + (v - floor(v)) > 1;
-    node[0][0] = i + is_upper;
-    node[0][1] = is_upper ? next : j;
-    node[1][0] = i;
-    node[1][1] = next;
-    node[2][0] = i + 1;
-    node[2][1] = j;
+    const int next = (hour + 1) % MURK_SUN_HOURS;
+    triangle t = {.row = {row + is_upper, row, row + 1},
+                  .hour = {is_upper ? next : hour, next, hour}};
+    for (int k = 0; k < 3; ++k) {
+        t.at[k] = towards(latitude, t.row[k] * STEP - DECLINATION_MAX,
+                          t.hour[k] * HOUR);
+    }
+    const double volume = murk_dot(t.at[0], murk_cross(t.at[1], t.at[2]));
+    t.smallest = INFINITY;
+    for (int k = 0; k < 3; ++k) {
+        t.share[k] =
+            murk_dot(sun, murk_cross(t.at[(k + 1) % 3], t.at[(k + 2) % 3])) /
+            volume;
+        t.smallest = fmin(t.smallest, t.share[k]);
+    }
+    return t;
+}
+
+/* The triangle about the sun. Sides of triangles are great circles, between
+ * which circles of equal declination bend, so the triangle may belong to a
+ * neighbour of the cell in which the declination lies. */
+static triangle find_triangle(double latitude, murk_vec3 sun)
+{
+    const murk_vec3 pole = murk_vec(0, cos(latitude), sin(latitude)),
+                    noon = murk_vec(0, -sin(latitude), cos(latitude));
+    const double declination = asin(fmin(fmax(murk_dot(sun, pole), -1), 1));
+    const double hour = atan2(-sun.x, murk_dot(sun, noon)) / HOUR;
+    const int row = (int)floor((declination + DECLINATION_MAX) / STEP);
+    const int j = ((int)floor(hour) + MURK_SUN_HOURS) % MURK_SUN_HOURS;
+    triangle found = {.smallest = -INFINITY};
+    for (int i = row - 1; i <= row + 1; ++i) {
+        for (int upper = 0; upper < 2; ++upper) {
+            if (i < 0 || i > MURK_SUN_DECLINATIONS - 2) {
+                continue;
+            }
+            const triangle t = triangle_of(latitude, i, j, upper, sun);
+            found = t.smallest > found.smallest ? t : found;
+        }
+    }
+    return found;
 }
 
 void murk_sun_places_share(const murk_sun_places *places, murk_vec3 sun,
                            double *share)
 {
-    const double latitude = places->latitude_rad;
-    const murk_vec3 pole = murk_vec(0, cos(latitude), sin(latitude)),
-                    noon = murk_vec(0, -sin(latitude), cos(latitude));
-    const double declination = asin(fmin(fmax(murk_dot(sun, pole), -1), 1));
-    int node[3][2];
-    murk_vec3 at[3];
+    const triangle t = find_triangle(places->latitude_rad, sun);
+    double level = 0;
     for (size_t k = 0; k < places->n; ++k) {
         share[k] = 0;
     }
-    /* The corners of the triangle, and the shares by Cramer's rule. */
-    find_triangle(node, declination, atan2(-sun.x, murk_dot(sun, noon)));
+    /* Refraction may leave the sun a little outside of all triangles. */
     for (int k = 0; k < 3; ++k) {
-        at[k] = towards(latitude, node[k][0] * STEP - DECLINATION_MAX,
-                        node[k][1] * HOUR);
-    }
-    const double volume = murk_dot(at[0], murk_cross(at[1], at[2]));
-    double level = 0;
-    for (int k = 0; k < 3; ++k) {
-        const int number = places->number[node[k][0]][node[k][1]];
-        const double own =
-            murk_dot(sun, murk_cross(at[(k + 1) % 3], at[(k + 2) % 3])) /
-            volume;
-        /* Rounding and refraction may leave the sun a little outside. */
-        if (number >= 0 && own > 0) {
-            share[number] = own;
-            level += own * at[k].z;
+        const int number = places->number[t.row[k]][t.hour[k]];
+        if (number >= 0 && t.share[k] > 0) {
+            share[number] = t.share[k];
+            level += t.share[k] * t.at[k].z;
         }
     }
     /* Keep the irradiance of the level plane where a corner is left out. */

@@ -14,7 +14,9 @@
 
 #include <stddef.h>
 
-#define MURK_SKY_PATCHES      145
+#define MURK_SKY_PATCHES 145 /* Tregenza */
+/* As many places as the lights of a scene leave beside the patches and some
+ * lamps. */
 #define MURK_SUN_DECLINATIONS 7
 #define MURK_SUN_HOURS        24
 /* All declinations and hours; about half of them are above the horizon. */

@@ -128,7 +128,7 @@ static murk_status light_all(choosing *ch, murk_error *err)
         }
         status = murk_sweep_light_prepare(l, false, err);
         for (size_t k = 0; k < l->n && !status; ++k) {
-            if (l->stage[k]) {
+            if (murk_sweep_light_has(l, k)) {
                 status = light_row(ch, l, k, err);
             }
         }

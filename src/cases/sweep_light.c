@@ -2,6 +2,7 @@
  * light whose records are scaled to the powers of each row. */
 #include "cases/sweep_light.h"
 
+#include "base/log.h"
 #include "lightmap/scaled_light.h"
 #include "world/stage_build.h"
 
@@ -13,9 +14,10 @@ static murk_status allocate(murk_sweep_light *l, murk_error *err)
 {
     l->scene = calloc(l->n, sizeof *l->scene);
     l->stage = calloc(l->n, sizeof *l->stage);
+    l->is_late = calloc(l->n, sizeof *l->is_late);
     l->why = calloc(l->n, sizeof *l->why);
     l->power_w = calloc(l->n, sizeof *l->power_w);
-    return l->scene && l->stage && l->why && l->power_w
+    return l->scene && l->stage && l->is_late && l->why && l->power_w
                ? MURK_OK
                : murk_no_memory(err, "", "for rows");
 }
@@ -53,24 +55,36 @@ static murk_status read_scene(murk_sweep_light *l, size_t k, murk_error *err)
                            "until all rows are done");
 }
 
+static void drop_scene(murk_sweep_light *l, size_t k)
+{
+    murk_scene_desc_destroy(l->scene[k]);
+    l->scene[k] = NULL;
+}
+
 murk_status murk_sweep_light_import(murk_sweep_light *l,
                                     const murk_sweep_job *job, murk_error *err)
 {
     const murk_sweep_group *group = job->group;
-    const murk_stage *other = NULL;
     *l = (murk_sweep_light){.sweep = job->sweep, .group = group, .n = group->n};
     murk_status status = allocate(l, err);
     for (size_t k = 0; k < l->n && !status; ++k) {
+        const bool is_wanted = murk_sweep_job_wants(job, k);
         status = read_scene(l, k, err);
-        if (status || !murk_sweep_job_wants(job, k)) {
-            continue;
+        if (status) {
+            break;
         }
-        if (other ? murk_stage_import_beside(&l->stage[k], l->scene[k], other,
-                                             &l->why[k])
-                  : murk_stage_import(&l->stage[k], l->scene[k], &l->why[k])) {
+        /* The first wanted row is imported, and rows with files of their own.
+         */
+        l->is_late[k] =
+            is_wanted && l->other && murk_stage_shares_all(l->scene[k]);
+        if (is_wanted && !l->is_late[k] &&
+            murk_stage_import_beside(&l->stage[k], l->scene[k], l->other,
+                                     &l->why[k])) {
             l->stage[k] = NULL;
-        } else if (!other) {
-            other = l->stage[k];
+        }
+        l->other = l->other ? l->other : l->stage[k];
+        if (k > 0 && !l->stage[k]) { /* read again when it is needed */
+            drop_scene(l, k);
         }
     }
     return status;
@@ -90,6 +104,7 @@ void murk_sweep_light_release(murk_sweep_light *l)
     }
     free(l->scene);
     free(l->stage);
+    free(l->is_late);
     free(l->why);
     free(l->power_w);
     *l = (murk_sweep_light){0};
@@ -100,17 +115,6 @@ void murk_sweep_light_release(murk_sweep_light *l)
 static size_t channels_of(const murk_sweep_light *l)
 {
     return l->scene[0]->n_lights * (size_t)l->scene[0]->bands;
-}
-
-static bool all_alike(const murk_sweep_light *l)
-{
-    for (size_t k = 1; k < l->n; ++k) {
-        if (memcmp(l->power_w[0], l->power_w[k],
-                   channels_of(l) * sizeof **l->power_w) != 0) {
-            return false;
-        }
-    }
-    return true;
 }
 
 bool murk_sweep_light_shines(const murk_sweep_light *l, size_t k)
@@ -129,22 +133,44 @@ static uint64_t grown(uint64_t photons, double grow)
     return n < 4294967295. ? (uint64_t)n : 4294967295u;
 }
 
+/* Computes the powers of row k and adds them to the shares. The scene of a row
+ * that is not in memory is read for that. */
+static murk_status add_powers(murk_sweep_light *l, size_t k,
+                              murk_scaled_shares *shares, murk_error *err)
+{
+    const bool is_here = l->scene[k] != NULL;
+    murk_status status = is_here ? MURK_OK : read_scene(l, k, err);
+    if (!status) {
+        status = murk_scaled_light_powers(&l->power_w[k], l->scene[k],
+                                          &l->first->world.domain, err);
+    }
+    if (!status) {
+        status =
+            murk_scaled_shares_add(shares, l->scene[k], l->power_w[k], err);
+    }
+    if (!is_here) {
+        drop_scene(l, k);
+    }
+    return status;
+}
+
 static murk_status find_lights(murk_sweep_light *l, double *grow,
                                murk_error *err)
 {
-    const murk_domain *domain = &l->first->world.domain;
-    bool any = false;
-    murk_status status = MURK_OK;
+    const bool was_quiet = murk_warn_quiet(true); /* the row warns later */
+    murk_scaled_shares *shares = NULL;
+    murk_status status = murk_scaled_shares_create(&shares, l->scene[0], err);
     for (size_t k = 0; k < l->n && !status; ++k) {
-        status =
-            murk_scaled_light_powers(&l->power_w[k], l->scene[k], domain, err);
-        any |= !status && murk_sweep_light_shines(l, k);
+        status = add_powers(l, k, shares, err);
     }
-    return status || !any || all_alike(l)
-               ? status
-               : murk_scaled_light_sources(
-                     &l->lights, grow, (const murk_scene_desc *const *)l->scene,
-                     (double *const *)l->power_w, l->n, domain, err);
+    murk_warn_quiet(was_quiet);
+    if (!status && murk_scaled_shares_shine(shares) &&
+        murk_scaled_shares_differ(shares)) {
+        status = murk_scaled_shares_sources(&l->lights, grow, shares,
+                                            &l->first->world.domain, err);
+    }
+    murk_scaled_shares_destroy(shares);
+    return status;
 }
 
 murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
@@ -185,11 +211,28 @@ murk_status murk_sweep_light_prepare(murk_sweep_light *l, bool with_row_tallies,
     return status;
 }
 
+bool murk_sweep_light_has(const murk_sweep_light *l, size_t k)
+{
+    return l->stage[k] || l->is_late[k];
+}
+
 murk_status murk_sweep_light_build(murk_sweep_light *l, size_t k,
                                    murk_error *err)
 {
-    return l->stage[k] == l->first ? MURK_OK
-                                   : murk_stage_build(l->stage[k], err);
+    murk_status status = MURK_OK;
+    if (l->stage[k] == l->first && l->first) {
+        return MURK_OK;
+    }
+    if (!l->stage[k] && !l->scene[k]) { /* the first reading has warned */
+        const bool was_quiet = murk_warn_quiet(true);
+        status = read_scene(l, k, err);
+        murk_warn_quiet(was_quiet);
+    }
+    if (!status && !l->stage[k]) {
+        status =
+            murk_stage_import_beside(&l->stage[k], l->scene[k], l->other, err);
+    }
+    return status ? status : murk_stage_build(l->stage[k], err);
 }
 
 void murk_sweep_light_drop(murk_sweep_light *l, size_t k)
@@ -197,6 +240,9 @@ void murk_sweep_light_drop(murk_sweep_light *l, size_t k)
     if (l->stage[k] != l->first) {
         murk_stage_destroy(l->stage[k]);
         l->stage[k] = NULL;
+        if (k > 0) {
+            drop_scene(l, k);
+        }
     }
 }
 
@@ -215,7 +261,7 @@ murk_status murk_sweep_light_of(murk_sweep_light *l, size_t k, uint32_t stream,
         *out = l->traced[stream];
     } else if (!status) {
         status = murk_scaled_light_make(out, l->traced[stream], l->lights,
-                                        l->power_w[k], l->scene[k]->bands,
+                                        l->power_w[k], l->scene[0]->bands,
                                         threads, err);
     }
     return status;

@@ -32,10 +32,15 @@ typedef struct murk_sweep_light {
     const murk_sweep *sweep;
     const murk_sweep_group *group;
     size_t n;                /* rows of the group */
-    murk_scene_desc **scene; /* [n] */
-    murk_stage **stage;      /* [n] NULL: not wanted, or failed: why[] */
+    murk_scene_desc **scene; /* [n] NULL: read when the row is built */
+    murk_stage **stage;      /* [n] NULL: not wanted, failed: why[], or late */
+    bool *is_late; /* [n] wanted, and imported when the row is built: all files
+                    * of the row are those of `other`, so that no subprocess is
+                    * needed, and a year of rows needs the memory of one */
     murk_error *why;         /* [n] */
     double **power_w;        /* [n][channels] */
+    const murk_stage *other; /* the first stage that was imported; owned by
+                              * stage[] */
     const murk_stage *first; /* the first stage that was imported, in whose
                               * world light is traced; NULL: not built yet */
     murk_row_tallies row_tallies;
@@ -64,10 +69,16 @@ void murk_sweep_light_release(murk_sweep_light *light);
 murk_status murk_sweep_light_prepare(murk_sweep_light *light,
                                      bool with_row_tallies, murk_error *err);
 
-/* Builds the world of row k, unless it is the first one. */
+/* True if row k is left for murk_sweep_light_build(): it is wanted, and was
+ * imported without a failure or is late. */
+bool murk_sweep_light_has(const murk_sweep_light *light, size_t k);
+
+/* Imports row k if it is late, and builds its world, unless it is the first
+ * one. */
 murk_status murk_sweep_light_build(murk_sweep_light *light, size_t k,
                                    murk_error *err);
-/* Releases the world of row k, unless it is the first one. */
+/* Releases the world of row k, and the scene of a late row, unless it is the
+ * first one. */
 void murk_sweep_light_drop(murk_sweep_light *light, size_t k);
 
 /* True if any light of row k has power. */

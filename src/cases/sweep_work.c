@@ -232,7 +232,7 @@ static murk_status light_up(group_work *w, murk_error *err)
         return MURK_OK;
     }
     for (size_t k = 0; k < l->n && !status; ++k) {
-        if (l->stage[k]) {
+        if (murk_sweep_light_has(l, k)) {
             status = send_failure(w, k, &why, err);
         }
     }
@@ -255,7 +255,7 @@ murk_status murk_sweep_work(murk_isolated *isolated, void *context,
     }
     take_warnings(&w, w.of_first);
     for (size_t k = 0; l->first && k < l->n && !status; ++k) {
-        if (l->stage[k]) {
+        if (murk_sweep_light_has(l, k)) {
             status = do_row(&w, k, err);
         }
     }

@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
 {
@@ -64,91 +65,140 @@ static double sum_of(const double *power_w, size_t channels)
     return sum;
 }
 
-/* Finds the largest share of each channel and the number of the scene that has
- * it; n if no scene has power in the channel. */
-static void find_largest(double *share, size_t *who, double *const *power_w,
-                         size_t n, size_t channels)
-{
-    for (size_t c = 0; c < channels; ++c) {
-        share[c] = 0;
-        who[c] = n;
-    }
-    for (size_t k = 0; k < n; ++k) {
-        const double all = sum_of(power_w[k], channels);
-        for (size_t c = 0; all > 0 && c < channels; ++c) {
-            if (power_w[k][c] / all > share[c]) {
-                share[c] = power_w[k][c] / all;
-                who[c] = k;
-            }
-        }
-    }
-}
+struct murk_scaled_shares {
+    const murk_scene_desc *first;
+    size_t channels, added;
+    bool shine, differ;
+    double *share;       /* [channels] the largest */
+    double *power;       /* [channels] power_w of the source that has the share
+                          * as channel power */
+    double *first_power; /* [channels] of the first scene that was added */
+    murk_source *light;  /* [lights] of the scene `first`; a source that shines
+                          * in others has the shape that it has there */
+    int *band;           /* [lights] the last band with power; -1: none */
+};
 
-/* Sets the power of each light source so that the power of each channel [W]
- * equals its share. light[] holds the sources of the first scene. They keep
- * their portals, and a source that emits in no scene gets the power 0. The
- * power of a channel is proportional to power_w of the source, so the ratio of
- * share to channel power scales power_w, whatever quantity power_w is for that
- * type. */
-static murk_status set_shares(murk_source *light, const double *share,
-                              const size_t *who,
-                              const murk_scene_desc *const *scene,
-                              double *const *power_w, size_t n, murk_error *err)
-{
-    const size_t bands = (size_t)scene[0]->bands;
-    murk_status status = MURK_OK;
-    for (size_t i = 0; i < scene[0]->n_lights && !status; ++i) {
-        murk_source own = light[i];
-        murk_sky_facts facts;
-        murk_spectrum power = {{0}};
-        /* Scale each band from the scene that has the largest share. */
-        for (size_t b = 0; b < bands && !status; ++b) {
-            const size_t c = i * bands + b, k = who[c];
-            if (k < n) {
-                status = murk_sky_light(&own, &facts, scene[k], i, err);
-                power.band[b] =
-                    own.power_w.band[b] * (share[c] / power_w[k][c]);
-            }
-        }
-        own.power_w = power;
-        own.portal = light[i].portal;
-        own.portals = light[i].portals;
-        light[i] = own;
-    }
-    return status;
-}
-
-murk_status murk_scaled_light_sources(murk_sources **out, double *grow,
-                                      const murk_scene_desc *const *scene,
-                                      double *const *power_w, size_t n,
-                                      const murk_domain *domain,
+murk_status murk_scaled_shares_create(murk_scaled_shares **out,
+                                      const murk_scene_desc *first,
                                       murk_error *err)
 {
-    const size_t channels = scene[0]->n_lights * (size_t)scene[0]->bands;
+    murk_scaled_shares *s = calloc(1, sizeof *s);
+    if (!s) {
+        return no_memory(first, err);
+    }
+    s->first = first;
+    s->channels = first->n_lights * (size_t)first->bands;
+    s->share = calloc(s->channels + 1, sizeof *s->share);
+    s->power = calloc(s->channels + 1, sizeof *s->power);
+    s->first_power = calloc(s->channels + 1, sizeof *s->first_power);
+    s->band = calloc(first->n_lights + 1, sizeof *s->band);
+    murk_status status = s->share && s->power && s->first_power && s->band
+                             ? murk_sky_lights(&s->light, NULL, first, err)
+                             : no_memory(first, err);
+    if (status) {
+        murk_scaled_shares_destroy(s);
+        return status;
+    }
+    /* No source has shone yet. */
+    for (size_t i = 0; i < first->n_lights; ++i) {
+        s->band[i] = -1;
+    }
+    *out = s;
+    return MURK_OK;
+}
+
+void murk_scaled_shares_destroy(murk_scaled_shares *shares)
+{
+    if (shares) {
+        free(shares->share);
+        free(shares->power);
+        free(shares->first_power);
+        free(shares->band);
+        free(shares->light);
+        free(shares);
+    }
+}
+
+/* Takes over the shares of light i that are larger than those before. A light
+ * source in place of another has its shape, but portals, intensities and place
+ * in the file of the first scene, which lives on. The power of a channel is
+ * proportional to power_w of the source, so the ratio of share to channel power
+ * scales power_w, whatever quantity power_w is for that type. */
+static void take_light(murk_scaled_shares *s, size_t i, const murk_source *own,
+                       const double *power_w, double all)
+{
+    const int bands = s->first->bands;
+    murk_source *light = &s->light[i];
+    for (int b = 0; b < bands; ++b) {
+        const size_t c = i * (size_t)bands + (size_t)b;
+        if (!(power_w[c] / all > s->share[c])) {
+            continue;
+        }
+        s->share[c] = power_w[c] / all;
+        s->power[c] = own->power_w.band[b] * (s->share[c] / power_w[c]);
+        if (b >= s->band[i]) {
+            const murk_source before = *light;
+            *light = *own;
+            light->where = before.where;
+            light->intensity = before.intensity;
+            light->portal = before.portal;
+            light->portals = before.portals;
+            s->band[i] = b;
+        }
+    }
+}
+
+murk_status murk_scaled_shares_add(murk_scaled_shares *s,
+                                   const murk_scene_desc *scene,
+                                   const double *power_w, murk_error *err)
+{
+    const size_t bytes = s->channels * sizeof *power_w;
+    const double all = sum_of(power_w, s->channels);
     murk_source *light = NULL;
-    double *share = calloc(channels + 1, sizeof *share);
-    size_t *who = calloc(channels + 1, sizeof *who);
-    murk_status status = MURK_OK;
-    if (!share || !who) {
-        status = no_memory(scene[0], err);
-        goto done;
+    bool has_larger = false;
+    if (s->added++ == 0) {
+        memcpy(s->first_power, power_w, bytes);
     }
-    /* Find the shares, then build sources of these powers. */
-    find_largest(share, who, power_w, n, channels);
-    *grow = sum_of(share, channels);
-    status = murk_sky_lights(&light, NULL, scene[0], err);
-    if (!status) {
-        status = set_shares(light, share, who, scene, power_w, n, err);
+    s->differ = s->differ || memcmp(s->first_power, power_w, bytes) != 0;
+    s->shine = s->shine || all > 0;
+    for (size_t c = 0; all > 0 && c < s->channels; ++c) {
+        has_larger = has_larger || power_w[c] / all > s->share[c];
     }
-    if (!status) {
-        status = murk_sources_create(out, light, scene[0]->n_lights,
-                                     scene[0]->bands, domain, err);
+    const murk_status status =
+        has_larger ? murk_sky_lights(&light, NULL, scene, err) : MURK_OK;
+    for (size_t i = 0; has_larger && !status && i < scene->n_lights; ++i) {
+        take_light(s, i, &light[i], power_w, all);
     }
-done:
     free(light);
-    free(share);
-    free(who);
     return status;
+}
+
+bool murk_scaled_shares_shine(const murk_scaled_shares *shares)
+{
+    return shares->shine;
+}
+
+bool murk_scaled_shares_differ(const murk_scaled_shares *shares)
+{
+    return shares->differ;
+}
+
+murk_status murk_scaled_shares_sources(murk_sources **out, double *grow,
+                                       const murk_scaled_shares *s,
+                                       const murk_domain *domain,
+                                       murk_error *err)
+{
+    const int bands = s->first->bands;
+    const size_t n = s->first->n_lights;
+    *grow = sum_of(s->share, s->channels);
+    for (size_t i = 0; i < n; ++i) {
+        s->light[i].power_w = (murk_spectrum){{0}};
+        for (int b = 0; b < bands; ++b) {
+            s->light[i].power_w.band[b] =
+                s->power[i * (size_t)bands + (size_t)b];
+        }
+    }
+    return murk_sources_create(out, s->light, n, bands, domain, err);
 }
 
 /* Copies the records that have power in the wanted scene, with the power

@@ -48,6 +48,8 @@ void murk_overview_print_weather(const murk_stage *stage)
     if (!weather->given || !weather->is_chosen) {
         return;
     }
+    /* The light of a weather year, or the codes of a report; then what is in
+     * the air. */
     murk_print("weather     ");
     if (weather->epw) {
         murk_print("%s, line %d: ", murk_path_name(weather->epw),

@@ -66,6 +66,7 @@ murk_status murk_weather_choose(murk_key_reader *walk, const murk_yaml *node)
                               "time, must have site.time (or site.date and "
                               "site.clock)");
     }
+    /* The row at the time of the scene, or of its timeline. */
     const double unix_s =
         scene->site.unix_s + (scene->timeline.given ? scene->timeline.at_s : 0);
     const murk_weather_row *row = murk_weather_year_at(weather->year, unix_s);

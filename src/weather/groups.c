@@ -1,4 +1,5 @@
-/* Cuts reports into groups and compares groups with patterns. */
+/* Cuts the text of a weather report into groups, and compares groups with
+ * patterns of digits and letters. */
 #include "weather/groups.h"
 
 #include <ctype.h>
@@ -15,6 +16,7 @@ murk_status murk_groups_cut(murk_groups *out, const char *text,
     const size_t length = strlen(text), good = strspn(text, allowed);
     char *rest = NULL;
     out->n = 0;
+    /* Refuse what no report has, then cut. */
     if (length > MURK_REPORT_MAX) {
         return murk_fail(err, MURK_BAD_VALUE, where,
                          "a report of %zu characters, must be at most %d",

@@ -18,6 +18,7 @@ murk_observation murk_observation_empty(void)
 
 double murk_rain_of_class(bool is_drizzle, int intensity)
 {
+    /* The header has the source. */
     static const double rain[] = {1.25, 5, 15}, drizzle[] = {.12, .37, 1};
     return is_drizzle ? drizzle[intensity] : rain[intensity];
 }

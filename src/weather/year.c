@@ -199,6 +199,7 @@ static murk_status read_header(epw *f)
     for (int i = 0; !status && i < HEADER_MAX; ++i) {
         int per_hour = 0;
         size_t n;
+        /* Pass over other lines. */
         if (f->csv.next >= f->csv.end) {
             break;
         }
@@ -326,6 +327,7 @@ static murk_status read_values(const epw *f, murk_observation *seen)
 
 static murk_status read_time(const epw *f, murk_weather_row *row)
 {
+    /* Days of the months of a leap year. */
     static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     const int interval = f->out->interval_min;
     int hour = 0, minute = 0;
@@ -422,6 +424,7 @@ murk_status murk_weather_year_parse(murk_weather_year **out, const char *path,
     if (strlen(text) != size) {
         return fail(&f, 1, "has a byte 0, must be text");
     }
+    /* The header, then the rows; the array grows with longer files. */
     f.out = calloc(1, sizeof *f.out + f.reserved * sizeof *f.out->row);
     if (!f.out) {
         return murk_no_memory(err, path, "for a weather year");
@@ -451,6 +454,7 @@ murk_status murk_weather_year_read(murk_weather_year **out, const char *path,
     if (status) {
         return status;
     }
+    /* Parsing changes the text, which is the key. */
     murk_weather_year *found = murk_cache_find(&years, text, size, &stored);
     char *key = found ? NULL : malloc(size + 1);
     if (found) {

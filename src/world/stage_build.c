@@ -483,6 +483,16 @@ murk_status murk_stage_import_beside(murk_stage **out,
     return import(out, scene, other, other != NULL, err);
 }
 
+bool murk_stage_shares_all(const murk_scene_desc *scene)
+{
+    const size_t n = murk_mesh_files_count(scene);
+    bool shares_all = true;
+    for (size_t i = lit_meshes(scene); i < n; ++i) {
+        shares_all = shares_all && !murk_mesh_file_at(scene, i).path;
+    }
+    return shares_all;
+}
+
 murk_status murk_stage_import_after(murk_stage **out,
                                     const murk_scene_desc *scene,
                                     const murk_stage *earlier, murk_error *err)

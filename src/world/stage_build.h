@@ -39,6 +39,10 @@ murk_status murk_stage_import_beside(murk_stage **out,
                                      const murk_scene_desc *scene,
                                      const murk_stage *other, murk_error *err);
 
+/* True if murk_stage_import_beside() imports no mesh for the scene, so that it
+ * starts no subprocess and may be called after a ray device was created. */
+bool murk_stage_shares_all(const murk_scene_desc *scene);
+
 /* As murk_stage_create(), for a scene that may have files in common with that
  * of the stage `earlier`: a mesh of geometry or regions is that of `earlier` if
  * it comes from the same path, the file has the same checksum, names no other

@@ -44,6 +44,30 @@ static double *powers_of(const murk_scene_desc *scene,
     return power_w;
 }
 
+/* The sources for n scenes. */
+static murk_sources *sources_for(double *grow,
+                                 const murk_scene_desc *const *scene,
+                                 double *const *power_w, size_t n,
+                                 const murk_domain *domain)
+{
+    murk_scaled_shares *shares = NULL;
+    murk_sources *lights = NULL;
+    murk_error err = {0};
+    CHECK(murk_scaled_shares_create(&shares, scene[0], &err) == MURK_OK);
+    for (size_t k = 0; shares && k < n; ++k) {
+        CHECK(murk_scaled_shares_add(shares, scene[k], power_w[k], &err) ==
+              MURK_OK);
+    }
+    if (shares) {
+        CHECK(murk_scaled_shares_shine(shares));
+        CHECK(murk_scaled_shares_differ(shares) == (n > 1));
+        CHECK(murk_scaled_shares_sources(&lights, grow, shares, domain, &err) ==
+              MURK_OK);
+    }
+    murk_scaled_shares_destroy(shares);
+    return lights;
+}
+
 /* 6 + 2, 0 + 2 and 5 * 6 W make 40; 10, 5 and 15 W make 30. The largest shares
  * are 6/40, 10/30, none, 5/30, none and 30/40, together 1.4. */
 static void test_every_channel_has_its_largest_share(void)
@@ -67,11 +91,8 @@ static void test_every_channel_has_its_largest_share(void)
         CHECK_NEAR(power_w[1][c], second[c], 1e-12);
         CHECK(power_w[2][c] == 0);
     }
-    murk_sources *lights = NULL;
     double grow = 0;
-    murk_error err = {0};
-    CHECK(murk_scaled_light_sources(&lights, &grow, scene, power_w, 3, domain,
-                                    &err) == MURK_OK);
+    murk_sources *lights = sources_for(&grow, scene, power_w, 3, domain);
     CHECK_NEAR(grow, 1.4, 1e-12);
     for (size_t c = 0; lights && c < CHANNELS; ++c) {
         CHECK_NEAR(murk_sources_channel_power_w(lights, c), share[c], 1e-12);
@@ -80,9 +101,7 @@ static void test_every_channel_has_its_largest_share(void)
     murk_sources_destroy(lights);
     /* one scene alone, and no other behind it */
     const murk_scene_desc *const alone[] = {b, NULL};
-    lights = NULL;
-    CHECK(murk_scaled_light_sources(&lights, &grow, alone, &power_w[1], 1,
-                                    domain, &err) == MURK_OK);
+    lights = sources_for(&grow, alone, &power_w[1], 1, domain);
     CHECK_NEAR(grow, 1, 1e-12);
     for (size_t c = 0; lights && c < CHANNELS; ++c) {
         CHECK_NEAR(murk_sources_channel_power_w(lights, c), second[c] / 30,
@@ -108,10 +127,8 @@ static void test_a_lamp_without_power_stays(void)
     }
     double *power_w = powers_of(stage->scene, &stage->world.domain), grow;
     const murk_scene_desc *const alone[] = {stage->scene, NULL};
-    murk_sources *lights = NULL;
-    murk_error err = {0};
-    CHECK(murk_scaled_light_sources(&lights, &grow, alone, &power_w, 1,
-                                    &stage->world.domain, &err) == MURK_OK);
+    murk_sources *lights =
+        sources_for(&grow, alone, &power_w, 1, &stage->world.domain);
     if (lights) {
         CHECK(murk_sources_get(lights, 1)->position.x == 2);
         CHECK(murk_sources_channel_power_w(lights, 3) == 0);
@@ -137,12 +154,10 @@ static void test_portals_count(void)
     }
     double *power_w = powers_of(stage->scene, &stage->world.domain), grow;
     const murk_scene_desc *const alone[] = {stage->scene, NULL};
-    murk_sources *lights = NULL;
-    murk_error err = {0};
     /* The power of the beam, then the sources. */
     CHECK_NEAR(power_w[5], 5 * 2 * 0.5, 1e-9);
-    CHECK(murk_scaled_light_sources(&lights, &grow, alone, &power_w, 1,
-                                    &stage->world.domain, &err) == MURK_OK);
+    murk_sources *lights =
+        sources_for(&grow, alone, &power_w, 1, &stage->world.domain);
     if (lights) {
         CHECK(murk_sources_get(lights, 2)->portals == 1);
         CHECK(murk_sources_get(lights, 2)->portal[0].corner.z == 0.9);
