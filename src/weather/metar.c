@@ -66,12 +66,14 @@ static bool take_miles(metar *m, const char *group, double whole)
         m->has_visibility = true; /* missing */
         return true;
     }
-    if (!read_miles(number, whole, &miles)) {
+    const double farthest = 100; /* no station sees farther */
+    if (!read_miles(number, whole, &miles) || miles > farthest) {
         return false;
     }
-    /* 10 miles are the farthest that stations of the United States report. */
-    set_visibility(m, miles * MILE_M,
-                   is_less                  ? MURK_VISIBILITY_LESS_THAN
+    /* 10 miles are the farthest that stations of the United States report, a
+     * sixteenth the nearest. */
+    set_visibility(m, miles > 0 ? miles * MILE_M : MILE_M / 16,
+                   is_less || miles == 0    ? MURK_VISIBILITY_LESS_THAN
                    : is_more || miles >= 10 ? MURK_VISIBILITY_AT_LEAST
                                             : MURK_VISIBILITY_EXACT);
     return true;
@@ -121,8 +123,9 @@ static bool take_kilometres(metar *m, const char *group)
     if (!murk_group_is(group, "0KM") && !murk_group_is(group, "00KM")) {
         return false;
     }
-    set_visibility(m, 1000.0 * murk_group_number(group, strlen(group) - 2),
-                   MURK_VISIBILITY_EXACT);
+    const int km = murk_group_number(group, strlen(group) - 2);
+    set_visibility(m, km > 0 ? 1000.0 * km : 1000,
+                   km > 0 ? MURK_VISIBILITY_EXACT : MURK_VISIBILITY_LESS_THAN);
     return true;
 }
 
@@ -305,10 +308,10 @@ static bool is_passed_over(const char *group)
 static void take_remark(metar *m, const char *group)
 {
     if (murk_group_is(group, "P0000") && m->out->rain_mm_per_h > 0) {
-        const int hundredths = murk_group_number(group + 1, 4);
+        const double mm = murk_group_number(group + 1, 4) / 100.0 * INCH_MM;
         /* P0000 is less than a hundredth. */
-        if (hundredths > 0) {
-            m->out->rain_mm_per_h = hundredths / 100.0 * INCH_MM;
+        if (mm > 0 && mm <= MURK_RAIN_MM_PER_H_MAX) {
+            m->out->rain_mm_per_h = mm;
             m->out->rain_is_by_word = false;
         }
     } else if (murk_group_is(group, "T00000000") && group[1] < '2' &&

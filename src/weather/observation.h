@@ -21,6 +21,10 @@ typedef enum murk_weather_kind {
     MURK_WEATHER_SNOW /* also with rain, and ice pellets */
 } murk_weather_kind;
 
+/* Largest rate of rain within an hour: more than any that was recorded (some
+ * 400 mm in an hour). */
+#define MURK_RAIN_MM_PER_H_MAX 500.0
+
 #define MURK_WEATHER_GROUPS_SIZE                  \
     64 /* of the texts of a report, with the '\0' \
         */

@@ -152,7 +152,8 @@ static void take_rain(synop *s, const char *group)
     const int amount = murk_group_number(group + 1, 3);
     const bool is_hour = group[4] == '5'; /* code table 4019 */
     const double mm = amount > 990 ? (amount - 990) / 10.0 : amount;
-    if (is_hour && amount != 990 && mm > 0 && s->out->rain_mm_per_h > 0) {
+    if (is_hour && amount != 990 && mm > 0 && mm <= MURK_RAIN_MM_PER_H_MAX &&
+        s->out->rain_mm_per_h > 0) {
         s->out->rain_mm_per_h = mm;
         s->out->rain_is_by_word = false;
     }

@@ -53,7 +53,9 @@ typedef struct epw {
     murk_error *err;
     murk_weather_year *out;
     size_t reserved;
-    size_t cells; /* of each row; 0: no row was read yet */
+    size_t cells;             /* of each row; 0: no row was read yet */
+    int periods;              /* stretches of rows, by DATA PERIODS */
+    int last_month, last_day; /* of the last stretch; 0: not stated */
     char *cell[CELLS_MAX];
 } epw;
 
@@ -190,6 +192,19 @@ static murk_status read_location(epw *f)
     return status;
 }
 
+/* Takes the end of the last period from the cells of DATA PERIODS: month and
+ * day, with a year behind them in some files. Other forms are passed over. */
+static void take_end(epw *f)
+{
+    const int first = 3, per_period = 4, end = 3; /* cells */
+    const int at = first + per_period * (f->periods - 1) + end;
+    int month, day;
+    if (at < CELLS_MAX && sscanf(f->cell[at], "%2d/%2d", &month, &day) == 2) {
+        f->last_month = month;
+        f->last_day = day;
+    }
+}
+
 /* Reads the lines between LOCATION and the rows; DATA PERIODS is the last of
  * them and says how many rows an hour has. */
 static murk_status read_header(epw *f)
@@ -211,6 +226,10 @@ static murk_status read_header(epw *f)
         }
         status = read_cells(f, &n);
         if (!status) {
+            status = read_whole(f, "the number of data periods", 1, 1, DAY_MIN,
+                                &f->periods);
+        }
+        if (!status) {
             status = read_whole(f, "the number of rows of an hour", 2, 1,
                                 HOUR_MIN, &per_hour);
         }
@@ -219,6 +238,9 @@ static murk_status read_header(epw *f)
                           "the number of rows of an hour must divide 60");
         }
         f->out->interval_min = status ? 0 : HOUR_MIN / per_hour;
+        if (!status) {
+            take_end(f);
+        }
         return status;
     }
     return status ? status
@@ -322,6 +344,10 @@ static murk_status read_values(const epw *f, murk_observation *seen)
     if (rain_mm > 0) {
         seen->rain_mm_per_h = rain_mm / (rain_hours > 0 ? rain_hours : 1);
     }
+    if (seen->rain_mm_per_h > MURK_RAIN_MM_PER_H_MAX) {
+        return fail_cell(f, "the hours of precipitation", f->cell[RAIN_HOURS],
+                         "longer for so much rain");
+    }
     return read_codes(f, seen, observed);
 }
 
@@ -372,43 +398,91 @@ static murk_weather_row *add_row(epw *f)
     return &f->out->row[f->out->n++];
 }
 
+/* The number of the interval in a leap year. */
+static int number_of(const murk_weather_row *row, int interval_min)
+{
+    const double day = murk_date_days((murk_date){2000, row->month, row->day}) -
+                       murk_date_days((murk_date){2000, 1, 1});
+    return (int)day * (DAY_MIN / interval_min) + row->ends_min / interval_min;
+}
+
+/* True if a row is the interval after the one before it: also March 1 after
+ * February 28, and January 1 after the end of the year. */
+static bool follows(const murk_weather_row *before, const murk_weather_row *row,
+                    int interval_min)
+{
+    enum { DAYS = 366 };
+    const int per_day = DAY_MIN / interval_min;
+    const int step =
+        number_of(row, interval_min) - number_of(before, interval_min);
+    const bool is_march = before->month == 2 && row->month == 3;
+    return step == 1 || step == 1 - DAYS * per_day ||
+           (is_march && step == 1 + per_day);
+}
+
+/* Checks the last row against the end that DATA PERIODS states. */
+static murk_status check_end(const epw *f)
+{
+    const murk_weather_row *last = &f->out->row[f->out->n - 1];
+    char text[120];
+    if (f->last_month == 0 ||
+        (last->month == f->last_month && last->day == f->last_day &&
+         last->ends_min == DAY_MIN)) {
+        return MURK_OK;
+    }
+    snprintf(text, sizeof text,
+             "ends with minute %d of %02d-%02d, must end with the last of "
+             "%02d-%02d, as DATA PERIODS says",
+             last->ends_min, last->month, last->day, f->last_month,
+             f->last_day);
+    return fail(f, (size_t)last->line, text);
+}
+
+/* Reads the cells of a row that the first row has as many of. */
+static murk_status read_row_cells(epw *f)
+{
+    char text[80];
+    size_t n;
+    const murk_status status = read_cells(f, &n);
+    f->cells = f->cells ? f->cells : n;
+    if (status || (n == f->cells && n <= CELLS_MAX && n >= (size_t)CELLS_MIN)) {
+        return status;
+    }
+    snprintf(text, sizeof text,
+             "%zu cells, must be %d..%d, in each row the same", n, CELLS_MIN,
+             CELLS_MAX);
+    return fail(f, f->line, text);
+}
+
 static murk_status read_rows(epw *f)
 {
     murk_status status = MURK_OK;
+    int periods = 1;
     while (!status && murk_csv_find_line(&f->csv)) {
-        size_t n;
         murk_weather_row *row = add_row(f);
         if (!row) {
             return murk_no_memory(f->err, f->path, "for a weather year");
         }
-        status = read_cells(f, &n);
-        /* The first row says how many cells all rows have. */
-        f->cells = f->cells ? f->cells : n;
-        if (!status &&
-            (n != f->cells || n > CELLS_MAX || n < (size_t)CELLS_MIN)) {
-            char text[80];
-            snprintf(text, sizeof text,
-                     "%zu cells, must be %d..%d, in each row the same", n,
-                     CELLS_MIN, CELLS_MAX);
-            return fail(f, f->line, text);
-        }
+        status = read_row_cells(f);
         if (!status) {
             status = read_time(f, row);
         }
         if (!status) {
             status = read_values(f, &row->seen);
         }
-        const murk_weather_row *before = row - 1;
-        if (!status && f->out->n > 1 && before->year == row->year &&
-            before->month == row->month && before->day == row->day &&
-            before->ends_min >= row->ends_min) {
+        /* A row that does not follow the one before begins a period. */
+        periods += !status && f->out->n > 1 &&
+                   !follows(row - 1, row, f->out->interval_min);
+        if (periods > f->periods) {
             return fail(f, f->line,
-                        "not later than the row before, must follow it");
+                        "does not follow the row before: a row is missing or "
+                        "doubled, or out of order");
         }
     }
-    return !status && f->out->n == 0
-               ? fail(f, f->csv.line, "has no rows behind DATA PERIODS")
-               : status;
+    if (!status && f->out->n == 0) {
+        return fail(f, f->csv.line, "has no rows behind DATA PERIODS");
+    }
+    return status ? status : check_end(f);
 }
 
 /* ---- files ---- */

@@ -129,7 +129,8 @@ static const refusal REFUSALS[] = {
     {"axes: {a: {x: {seed: 1}, y: [1]}}\n", "study.yaml:3:26: axes.a",
      "a list, must be a map of keys and values, or from, to and steps"},
     {"axes: {a: {}}\n", "study.yaml:3:8: axes.a",
-     "an empty map, must be a list of values, {from, to, steps}, {hours_of: FILE}, or names with "
+     "an empty map, must be a list of values, {from, to, steps}, {hours_of: "
+     "FILE}, or names with "
      "their "
      "keys"},
     {"axes: {\"a\\u007f\": [1]}\n", "study.yaml:3:8: axes.a\\x7f",

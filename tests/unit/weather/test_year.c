@@ -10,7 +10,8 @@
     "LOCATION,Some Place,XX,YYY,TMY3,1,39.74,-105.18,-7.0,1829.0\n" \
     "DESIGN CONDITIONS,0\nHOLIDAYS/DAYLIGHT SAVINGS,No,0,0,0\n"     \
     "COMMENTS 1,a \"quoted word\n"
-#define PERIODS(n) "DATA PERIODS,1," #n ",Data,Sunday, 1/ 1,12/31\n"
+/* Without an end of the last period. */
+#define PERIODS(periods, n) "DATA PERIODS," #periods "," #n ",Data,Sunday\n"
 
 /* A row: the time, then temperature and dew point, then irradiances, then total
  * and opaque sky cover, visibility, ceiling, indicator and codes, then rain. */
@@ -40,8 +41,8 @@ static void test_rows(void)
 {
     murk_error err = {0};
     murk_weather_year *year = parse(
-        HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,0,0",
-                            "8,8,16.1,3300,9,999999999", "999.0,99.0")
+        HEAD PERIODS(3, 1) ROW("1999,1,1,1,0", "0,0,0",
+                               "8,8,16.1,3300,9,999999999", "999.0,99.0")
             ROW("1999,1,1,12,0", "500,600,90", "4,4,777.7,3300,0,919999999",
                 "3.0,1.0") ROW("2004,2,29,24,60", "9999,9999,9999",
                                "99,9,9999,3300,0,999999059", "6.0,3.0")
@@ -103,7 +104,7 @@ static void test_quarters(void)
     murk_error err = {0};
 #define Q(time) ROW(time, "0,0,0", "8,8,9,3300,9,999999999", "999,99")
     murk_weather_year *year =
-        parse(HEAD PERIODS(4) Q("2010,6,1,10,15") Q("2010,6,1,10,30")
+        parse(HEAD PERIODS(2, 4) Q("2010,6,1,10,15") Q("2010,6,1,10,30")
                   Q("2010,6,1,10,45") Q("2010,6,1,10,60") Q("2011,6,1,10,15"),
               &err);
     CHECK_TEXT(err.text, "");
@@ -129,21 +130,27 @@ static void test_refused(void)
         {"LOCATION,a,b,c,d,1,91,0,0,0\n", "w.epw:1", "latitude"},
         {"LOCATION,a,b,c,d,1,,0,0,0\n", "w.epw:1", "lacks a number"},
         {HEAD, "w.epw:5", "DATA PERIODS"},
-        {HEAD PERIODS(7), "w.epw:5", "divide 60"},
-        {HEAD PERIODS(1), "w.epw:6", "no rows"},
-        {HEAD PERIODS(1) "1999,1,1\n", "w.epw:6", "3 cells"},
-        {HEAD PERIODS(1) Q("1999,2,30,1,0"), "w.epw:6", "the day is '30'"},
-        {HEAD PERIODS(1) Q("1999,13,1,1,0"), "w.epw:6", "the month is '13'"},
-        {HEAD PERIODS(1) Q("1999,1,1,25,0"), "w.epw:6", "the hour is '25'"},
-        {HEAD PERIODS(1) Q("1999,1,1,2,0") Q("1999,1,1,1,0"), "w.epw:7",
-         "not later"},
-        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "5x,0,0", "8,8,9,3,9,9", "9,9"),
+        {HEAD PERIODS(1, 7), "w.epw:5", "divide 60"},
+        {HEAD PERIODS(1, 1), "w.epw:6", "no rows"},
+        {HEAD PERIODS(1, 1) "1999,1,1\n", "w.epw:6", "3 cells"},
+        {HEAD PERIODS(1, 1) Q("1999,2,30,1,0"), "w.epw:6", "the day is '30'"},
+        {HEAD PERIODS(1, 1) Q("1999,13,1,1,0"), "w.epw:6", "the month is '13'"},
+        {HEAD PERIODS(1, 1) Q("1999,1,1,25,0"), "w.epw:6", "the hour is '25'"},
+        {HEAD PERIODS(1, 1) Q("1999,1,1,2,0") Q("1999,1,1,1,0"), "w.epw:7",
+         "does not follow"},
+        {HEAD PERIODS(1, 1) Q("1999,1,1,1,0") Q("1999,1,1,3,0"), "w.epw:7",
+         "does not follow"},
+        {HEAD "DATA PERIODS,1,1,Data,Sunday, 1/ 1, 1/ 2\n" Q("1999,1,1,1,0"),
+         "w.epw:6", "must end with the last of 01-02"},
+        {HEAD PERIODS(1, 1) ROW("1999,1,1,1,0", "5x,0,0", "8,8,9,3,9,9", "9,9"),
          "w.epw:6", "the global irradiance is '5x'"},
-        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,-5,0", "8,8,9,3,9,9", "9,9"),
+        {HEAD PERIODS(1, 1) ROW("1999,1,1,1,0", "0,-5,0", "8,8,9,3,9,9", "9,9"),
          "w.epw:6", "the direct irradiance is '-5'"},
-        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,0,0", "8,8,900,3,9,9", "9,9"),
+        {HEAD PERIODS(1, 1)
+             ROW("1999,1,1,1,0", "0,0,0", "8,8,900,3,9,9", "9,9"),
          "w.epw:6", "the visibility is '900'"},
-        {HEAD PERIODS(1) ROW("1999,1,1,1,0", "0,0,0", "8,8,9,3,0,12a", "9,9"),
+        {HEAD PERIODS(1, 1)
+             ROW("1999,1,1,1,0", "0,0,0", "8,8,9,3,0,12a", "9,9"),
          "w.epw:6", "nine digits"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
