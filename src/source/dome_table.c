@@ -219,14 +219,6 @@ double murk_dome_table_irradiance(const murk_dome_table *table)
     return table->irradiance;
 }
 
-/* Draws a number in (0, 1), from the uniform number u, with a density that is
- * linear and proportional to `from` at 0 and to `to` at 1. */
-static double slanted(double from, double to, double u)
-{
-    return u * (from + to) /
-           (from + sqrt(from * from + u * (to - from) * (to + from)));
-}
-
 static murk_vec3 draw_whole(const whole_sky *t, const double u[4])
 {
     const size_t first = (size_t)(u[0] * (double)ALL);
@@ -238,8 +230,9 @@ static murk_vec3 draw_whole(const whole_sky *t, const double u[4])
     const float *low = &t->density[i][j], *high = &t->density[i + 1][j];
     const double a0 = (double)low[0], a1 = (double)low[1];
     const double b0 = (double)high[0], b1 = (double)high[1];
-    const double p = slanted(a0 + a1, b0 + b1, u[2]);
-    const double q = slanted(a0 + p * (b0 - a0), a1 + p * (b1 - a1), u[3]);
+    const double p = murk_draw_slanted(a0 + a1, b0 + b1, u[2]);
+    const double q =
+        murk_draw_slanted(a0 + p * (b0 - a0), a1 + p * (b1 - a1), u[3]);
     const double x = t->x[i] + p * (t->x[i + 1] - t->x[i]);
     const double a = t->a[j] + q * (t->a[j + 1] - t->a[j]);
     return direction_at(t, x, a);

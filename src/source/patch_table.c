@@ -23,35 +23,24 @@ double murk_sky_patch_sr(const murk_sky_patch *patch)
     return (patch->high - patch->low) * (patch->to_rad - patch->from_rad);
 }
 
-/* The mean cosine of a cell at the face: that of its middle, or of its corners
- * if some of them are behind the face. */
-static double cosine_of(const murk_patch_table *t, size_t i, size_t j)
-{
-    double corners = 0;
-    bool is_cut = false;
-    for (size_t k = 0; k < 4; ++k) {
-        const double up = (double)(i + k / 2) / CELLS,
-                     around = (double)(j + k % 2) / CELLS;
-        const double cosine =
-            murk_dot(murk_sky_patch_at(&t->patch, up, around), t->outward);
-        is_cut = is_cut || cosine < 0;
-        corners += fmax(0, cosine) / 4;
-    }
-    return is_cut
-               ? corners
-               : murk_dot(murk_sky_patch_at(&t->patch, ((double)i + .5) / CELLS,
-                                            ((double)j + .5) / CELLS),
-                          t->outward);
-}
-
 void murk_patch_table_fill(murk_patch_table *out, const murk_sky_patch *patch,
                            murk_vec3 outward)
 {
     double sum = 0;
     out->patch = *patch;
     out->outward = outward;
+    for (size_t i = 0; i <= CELLS; ++i) {
+        for (size_t j = 0; j <= CELLS; ++j) {
+            const murk_vec3 d =
+                murk_sky_patch_at(patch, (double)i / CELLS, (double)j / CELLS);
+            out->cosine[i][j] = fmax(0, murk_dot(d, outward));
+        }
+    }
+    /* A bilinear function has the mean of its corners. */
     for (size_t c = 0; c < ALL; ++c) {
-        sum += cosine_of(out, c / CELLS, c % CELLS);
+        const double *low = &out->cosine[c / CELLS][c % CELLS],
+                     *high = &out->cosine[c / CELLS + 1][c % CELLS];
+        sum += (low[0] + low[1] + high[0] + high[1]) / 4;
         out->end[c] = sum;
     }
     for (size_t c = 0; c < ALL; ++c) {
@@ -60,20 +49,32 @@ void murk_patch_table_fill(murk_patch_table *out, const murk_sky_patch *patch,
     out->irradiance = sum / (double)ALL * murk_sky_patch_sr(patch);
 }
 
+double murk_draw_slanted(double from, double to, double u)
+{
+    return u * (from + to) /
+           (from + sqrt(from * from + u * (to - from) * (to + from)));
+}
+
 murk_vec3 murk_patch_table_draw(const murk_patch_table *t, const double u[4])
 {
-    size_t low = 0, high = ALL - 1;
-    while (low < high) {
-        const size_t middle = (low + high) / 2;
+    size_t first = 0, last = ALL - 1;
+    while (first < last) {
+        const size_t middle = (first + last) / 2;
         if (u[0] < t->end[middle]) {
-            high = middle;
+            last = middle;
         } else {
-            low = middle + 1;
+            first = middle + 1;
         }
     }
-    const murk_vec3 d =
-        murk_sky_patch_at(&t->patch, ((double)(low / CELLS) + u[2]) / CELLS,
-                          ((double)(low % CELLS) + u[3]) / CELLS);
+    /* A point of the cell. */
+    const size_t i = first / CELLS, j = first % CELLS;
+    const double *low = &t->cosine[i][j], *high = &t->cosine[i + 1][j];
+    const double p =
+        murk_draw_slanted(low[0] + low[1], high[0] + high[1], u[2]);
+    const double q = murk_draw_slanted(low[0] + p * (high[0] - low[0]),
+                                       low[1] + p * (high[1] - low[1]), u[3]);
+    const murk_vec3 d = murk_sky_patch_at(&t->patch, ((double)i + p) / CELLS,
+                                          ((double)j + q) / CELLS);
     /* A direction behind the face, from a cell that the face cuts, is mirrored
      * at its plane. */
     const double cosine = murk_dot(d, t->outward);

@@ -17,6 +17,8 @@ typedef struct murk_patch_table {
     murk_sky_patch patch;
     murk_vec3 outward; /* unit vector from the face to the sky */
     double irradiance; /* integral of the cosine over the patch */
+    double cosine[MURK_PATCH_CELLS + 1][MURK_PATCH_CELLS + 1]; /* [up][around]
+                                                                * at corners */
     double end[MURK_PATCH_CELLS * MURK_PATCH_CELLS]; /* cumulative shares of the
                                                       * cells */
 } murk_patch_table;
@@ -29,6 +31,10 @@ void murk_patch_table_fill(murk_patch_table *out, const murk_sky_patch *patch,
  * four uniform numbers in (0, 1). The irradiance must be above 0. */
 murk_vec3 murk_patch_table_draw(const murk_patch_table *table,
                                 const double u[4]);
+
+/* Draws a number in (0, 1), from the uniform number u, with a density that is
+ * linear and proportional to `from` at 0 and to `to` at 1. */
+double murk_draw_slanted(double from, double to, double u);
 
 /* The unit direction at two shares, 0..1, of the sine of the elevation and of
  * the azimuth. */

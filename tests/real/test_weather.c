@@ -125,6 +125,7 @@ static void test_sums(const murk_weather_year *year)
         CHECK_NEAR(sum, number(t, row, "sum"),
                    1e-7 * fabs(number(t, row, "sum")));
     }
+    /* Counts of hours. */
     double below_1 = 0, below_5 = 0, rainy = 0, up = 0;
     for (size_t i = 0; i < year->n; ++i) {
         const murk_observation *seen = &year->row[i].seen;
@@ -190,6 +191,7 @@ static void test_metar(void)
 {
     murk_table *t = table_of(DATA "metar.csv");
     int groups = 0;
+    /* Each report of the table. */
     for (size_t i = 0; i < t->rows; ++i) {
         murk_observation seen;
         murk_error err = {0};

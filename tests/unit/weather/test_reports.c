@@ -42,6 +42,7 @@ static void test_visibility(void)
         {"7SM", 11265.408, MURK_VISIBILITY_EXACT},
         {"20KM", 20000, MURK_VISIBILITY_EXACT},
     };
+    /* Each group in a report. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[128];
         snprintf(text, sizeof text, "EGHI 150650Z 06001KT %s 11/10 Q1003",
@@ -73,6 +74,7 @@ static void test_weather(void)
         {"SHSN FG", MURK_WEATHER_SNOW, 0}, {"VCSH", MURK_WEATHER_NONE, 0},
         {"//", MURK_WEATHER_NONE, 0},      {"RERA", MURK_WEATHER_NONE, 0},
     };
+    /* Each group in a report. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[128];
         snprintf(text, sizeof text, "EGHI 150650Z 06001KT 3000 %s 11/10",

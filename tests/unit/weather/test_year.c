@@ -153,6 +153,7 @@ static void test_refused(void)
              ROW("1999,1,1,1,0", "0,0,0", "8,8,9,3,0,12a", "9,9"),
          "w.epw:6", "nine digits"},
     };
+    /* Each file is refused at its line. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         murk_error err = {0};
         murk_weather_year *year = parse(cases[i].text, &err);
