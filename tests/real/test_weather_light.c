@@ -36,6 +36,7 @@ static double level_irradiance(const char *lights, double unix_s,
     murk_source *light = NULL;
     murk_error err = {0};
     double sum = 0;
+    /* The scene at that time. */
     murk_time_print(time, unix_s, -7 * 60);
     snprintf(set, sizeof set, "site.time=%s", time);
     snprintf(text, sizeof text, "%slights: %s\n", SCENE, lights);

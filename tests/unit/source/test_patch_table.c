@@ -25,6 +25,7 @@ static integral integrate(const murk_sky_patch *patch, murk_vec3 outward,
 {
     integral out = {0};
     double weight = 0, sums[6] = {0};
+    /* Sums over the lattice: weights, coordinates and their squares. */
     for (int i = 0; i < LATTICE; ++i) {
         for (int j = 0; j < LATTICE; ++j) {
             const murk_vec3 d = murk_sky_patch_at(patch, (i + .5) / LATTICE,
