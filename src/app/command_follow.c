@@ -149,7 +149,7 @@ murk_status murk_command_follow(const murk_options *options, murk_error *err)
     }
     murk_show(options, saved);
     if (!status) {
-        status = judge(options, saved, err);
+        status = murk_page_of_failed(options, judge(options, saved, err));
     }
 done:
     murk_follow_destroy(follow);

@@ -2,7 +2,9 @@
  * result folder. */
 #include "app/given.h"
 #include "app/show.h"
+#include "base/log.h"
 #include "base/print.h"
+#include "base/ranks.h"
 
 static double number_of(const murk_fields *page, const char *name)
 {
@@ -67,7 +69,16 @@ murk_status murk_page_check(const murk_options *options, murk_error *err)
 
 murk_status murk_page_write(const murk_options *options, murk_error *err)
 {
-    return options->wants_page
+    return options->wants_page && murk_ranks_number() == 0
                ? write_page(options, options->out, NULL, false, err)
                : MURK_OK;
+}
+
+murk_status murk_page_of_failed(const murk_options *options, murk_status status)
+{
+    murk_error why = {0};
+    if (status && murk_page_write(options, &why)) {
+        murk_message("warning: ", why.where, why.text);
+    }
+    return status;
 }

@@ -198,7 +198,7 @@ murk_status murk_command_study(const murk_options *options, murk_error *err)
     }
     /* An interrupt while the files were written stays the failure. */
     if (!status) {
-        status = judge(options, saved, err);
+        status = murk_page_of_failed(options, judge(options, saved, err));
     }
 done:
     murk_study_destroy(study);

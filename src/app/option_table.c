@@ -34,7 +34,7 @@ const murk_option murk_option_table[] = {
      .kind = MURK_OPTION_SWITCH, MEMBER(force), .is_left_out = true},
     {"--report", NULL, NULL, "trace place sense study follow fit",
      "with -o: write the page of murk report into the folder, too, "
-     "DIR/report.html, if the run ends well",
+     "DIR/report.html, also if rows of a study or steps of follow failed",
      .kind = MURK_OPTION_SWITCH, MEMBER(wants_page), .is_left_out = true},
     {"--seed", NULL, "N", NULL, "seed of all random numbers, 0..4294967295",
      COUNT(0, UINT32_MAX), .key = "seed"},

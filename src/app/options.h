@@ -126,10 +126,16 @@ murk_command_run murk_command_check, murk_command_trace, murk_command_place,
     murk_command_schema, murk_command_init, murk_command_merge;
 
 /* --report: murk_page_check() fails before the command runs if there will be no
- * folder; murk_page_write() writes the page of the folder afterwards. Without
- * --report both do nothing. */
+ * folder; murk_page_write() writes the page of the folder afterwards, on rank
+ * 0. Without --report both do nothing. */
 murk_status murk_page_check(const murk_options *options, murk_error *err);
 murk_status murk_page_write(const murk_options *options, murk_error *err);
+/* Writes the page, as murk_page_write() does, of results that were saved whole
+ * but make the command fail with `status`, because rows or steps of them have
+ * failed. Returns `status`; a page that cannot be written is a warning. If
+ * `status` is MURK_OK the function does nothing. */
+murk_status murk_page_of_failed(const murk_options *options,
+                                murk_status status);
 
 /* ---- a command line as given ---- */
 

@@ -50,8 +50,7 @@ static murk_status run_command(murk_options *options, murk_error *err)
     if (!status) {
         status = options->command->run(options, err);
     }
-    return status || murk_ranks_number() > 0 ? status
-                                             : murk_page_write(options, err);
+    return status ? status : murk_page_write(options, err);
 }
 
 /* Fails unless all ranks run the same build of murk with the same words. */

@@ -243,7 +243,9 @@ def wrong_steps_say_so(folder, scene):
     """A step whose scene is wrong at its time."""
     out = os.path.join(folder, "wrong")
     track = ("timeline.tracks=[{key: media.fog.albedo, keyframes: [{t_s: 0, value: 0.5}, {t_s: 12, value: 1.7}]}]")
-    done = run("follow", scene, "-o", out, "--set", track, "--set", "placement.method=greedy", code=1)
+    done = run("follow", scene, "-o", out, "--set", track, "--set", "placement.method=greedy", "--report", code=1)
+    with open(os.path.join(out, "report.html"), encoding="utf-8") as file:
+        check("1.1, must be 0..1" in file.read(), "the page tells of wrong steps")
     rows = table(out, "follow.csv")
     check([bool(row["failed"]) for row in rows] == [False, False, True, True, True], "wrong steps", rows)
     check("albedo" in rows[2]["failed"] and "1.1" in rows[2]["failed"], rows[2]["failed"])

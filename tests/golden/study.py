@@ -362,12 +362,15 @@ def test_failed_rows(f):
     """Each in its own way; the others are as they would be without them."""
     text = "axes: {media.fog.albedo: [0.9, %s0.6]}\noutputs: [density]\n"
     f.study(text % "", "whole")
-    done = f.study(text % "7, ", "failed", want=1)
+    done = f.study(text % "7, ", "failed", "--report", want=1)
+    page = f.bytes("failed/report.html").decode() if os.path.exists(f.at("failed/report.html")) else ""
+    check(page.count("media.fog.albedo: 7, must be 0..1") >= 2, "the page tells of the failed row in its data and table")
     table = f.table("failed")
     check([bool(r["failed"]) for r in table] == [False, True, False], table)
     check("media.fog.albedo: 7, must be 0..1" in table[1]["failed"], table[1])
     check(table[1]["density"] == "", table[1])
     check(len(done.stderr.splitlines()) == 2, done.stderr)
+    check(all(f"<td>{r['density']}</td>" in page for r in table), "the page has the others")
     check([r["density"] for r in table if not r["failed"]]
           == [r["density"] for r in f.table("whole")], "the others")
     # found when it runs: more sensors than candidates
@@ -378,7 +381,7 @@ def test_failed_rows(f):
     check("1000" in table[1]["failed"], table[1]["failed"])
     check(f.json("late/study.json")["rows_failed"] == 1, "rows_failed")
     # all at once: nothing is written
-    f.study("axes: {media.fog.albedo: [7, 8]}\n", "nothing", want=2)
+    f.study("axes: {media.fog.albedo: [7, 8]}\n", "nothing", "--report", want=2)
     check(not os.path.exists(f.at("nothing")), "nothing is written")
 
 
