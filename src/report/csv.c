@@ -34,7 +34,8 @@ static bool is_drawn(const murk_results_in *results, const char *name)
     return strcmp(name, "tallies.csv") == 0 ||
            (strcmp(name, "table.csv") == 0 &&
             results->json[MURK_RESULT_STUDY]) ||
-           (strcmp(name, "fit.csv") == 0 && results->json[MURK_RESULT_FIT]) ||
+           (strcmp(name, "fit.csv") == 0 &&
+            murk_results_has_readings(results)) ||
            (strcmp(name, "moves.csv") == 0 &&
             results->json[MURK_RESULT_FOLLOW]) ||
            (strcmp(name, "repeat.csv") == 0 &&

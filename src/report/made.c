@@ -112,8 +112,9 @@ static void write_commands(FILE *to, const murk_results_in *results)
         has_arrays |= murk_memory_is(scene->file[i]);
     }
     const bool has_scene =
-        !results->json[MURK_RESULT_STUDY] && !results->json[MURK_RESULT_FIT] &&
-        !has_arrays && murk_results_are_one_run(results) &&
+        !results->json[MURK_RESULT_STUDY] &&
+        !murk_results_has_readings(results) && !has_arrays &&
+        murk_results_are_one_run(results) &&
         murk_results_has(results->folder, murk_results_scene(results->folder));
     if (has_arrays) {
         fputs("<p>The scene has arrays of the program that made it, so that "

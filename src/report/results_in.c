@@ -22,6 +22,7 @@ const murk_result_kind murk_result_kinds[MURK_RESULT_FILES] = {
                               "The sensors that were given"},
     [MURK_RESULT_STUDY] = {"study.json", "study", "The study"},
     [MURK_RESULT_FIT] = {"fit.json", "fit", "The calibration"},
+    [MURK_RESULT_PREDICT] = {"predict.json", "predict", "The prediction"},
     [MURK_RESULT_FOLLOW] = {"follow.json", "follow", "The plans step by step"},
     [MURK_RESULT_LEDGER] = {"ledger.json", "ledger", "The light"}};
 
@@ -239,7 +240,8 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
     if (!has_any) {
         return murk_fail(err, MURK_BAD_FILE, folder,
                          "no results here, must hold plan.json, coverage.json, "
-                         "study.json, fit.json, follow.json or ledger.json");
+                         "study.json, fit.json, predict.json, follow.json or "
+                         "ledger.json");
     }
     return read_scene(out, err);
 }
@@ -266,6 +268,11 @@ static bool can_be_one_run(const murk_yaml *a, const murk_yaml *b)
         }
     }
     return true;
+}
+
+bool murk_results_has_readings(const murk_results_in *results)
+{
+    return results->json[MURK_RESULT_FIT] || results->json[MURK_RESULT_PREDICT];
 }
 
 bool murk_results_are_one_run(const murk_results_in *results)

@@ -18,6 +18,7 @@ typedef enum murk_result_file {
     MURK_RESULT_COVERAGE, /* coverage.json, of sense */
     MURK_RESULT_STUDY,    /* study.json */
     MURK_RESULT_FIT,      /* fit.json */
+    MURK_RESULT_PREDICT,  /* predict.json, of fit without --free */
     MURK_RESULT_FOLLOW,   /* follow.json */
     MURK_RESULT_LEDGER,   /* ledger.json, of trace and other commands that trace
                              light */
@@ -60,6 +61,10 @@ murk_status murk_results_read(murk_results_in *out, const char *folder,
  * if any other main JSON is there. */
 bool murk_results_is_main(const murk_results_in *results,
                           murk_result_file which);
+
+/* True if the folder has results of murk fit, of a fit or of a prediction, and
+ * therefore fit.csv. */
+bool murk_results_has_readings(const murk_results_in *results);
 
 /* True if the JSON files of the folder may be of one run: no two differ in
  * command, folder of the command, checksum of the scene, seed or identity,

@@ -213,7 +213,7 @@ static murk_status read_all(murk_report_scene *out,
         status = murk_report_read_follow(out, results->folder, follow, err);
     }
     out->states = out->states > 0 ? out->states : 1;
-    if (!status && results->json[MURK_RESULT_FIT]) {
+    if (!status && murk_results_has_readings(results)) {
         status = murk_report_read_fit(out, results->folder, err);
     }
     if (!status && made) {

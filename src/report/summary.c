@@ -148,9 +148,10 @@ static void explain(FILE *to, const murk_results_in *results)
         {"taken over", "Photons and sightlines of the step before that nothing "
                        "in the scene has changed. They are not computed again; "
                        "the results are the same as if they were."}};
-    static const word of_fits[] = {
+    static const word of_readings[] = {
         {"residual", "Measured less predicted, in standard errors of the "
-                     "reading. One in twenty is beyond ±1.96 by chance."},
+                     "reading. One in twenty is beyond ±1.96 by chance."}};
+    static const word of_fits[] = {
         {"chi², degrees of freedom",
          "The sum of squared residuals; and how many readings there are beyond "
          "those that the values take. Both should be about the same."},
@@ -172,6 +173,9 @@ static void explain(FILE *to, const murk_results_in *results)
     }
     if (has_steps) {
         write_words(to, of_steps, sizeof of_steps / sizeof *of_steps);
+    }
+    if (murk_results_has_readings(results)) {
+        write_words(to, of_readings, sizeof of_readings / sizeof *of_readings);
     }
     if (results->json[MURK_RESULT_FIT]) {
         write_words(to, of_fits, sizeof of_fits / sizeof *of_fits);

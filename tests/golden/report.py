@@ -126,6 +126,32 @@ def check_summary(printed, path):
         check(any(line.strip().startswith(row.strip()) for line in lines), path, "lacks the row", row)
 
 
+def check_prediction(run, at, scene):
+    """Of the scene's values and of a fit's: residuals, measured against predicted in both units, and the table."""
+    for out, options in (("predicted", []), ("predicted-by", ["--predict", "fit/fit.json"])):
+        summary = run("fit", scene, "--data", "data.csv", "-o", out, "--emit", "2000", "--report", *options)
+        check_summary(summary.split(out + "/report.html")[0], at(out + "/report.html"))
+        page, text = read(at(out + "/report.html")), drawn(at(out + "/report.html"))
+        check("The prediction" in page.text and "The calibration" not in page.text, "headings of", out)
+        check(("The values of the fit" in page.text) == bool(options), "values of", out)
+        check(page.tags.count("svg") == 3, page.tags.count("svg"), "plots of", out)
+        rows = table(at(out + "/fit.csv"))
+        plot = Plot(text, "Residuals (measured less predicted)")
+        for series, use in enumerate(("fit", "hold_out")):
+            of_use = [(k + 1, r) for k, r in enumerate(rows) if r["use"] == use]
+            check(len(of_use) == len(plot.marks(series)) > 0, "residuals of", use, "in", out)
+            for mark, (k, row) in zip(plot.marks(series), of_use):
+                plot.is_at(mark, k, float(row["residual_in_standard_errors"]), row)
+        plot = Plot(text, "Measured against predicted")
+        for mark, row in zip(plot.marks(0), rows):
+            plot.is_at(mark, float(row["predicted"]), float(row["value"]), row)
+        readings = view_data(at(out + "/report.html"))[0]["readings"]
+        check([r["place"] for r in readings] == [[.8, .8, 2.5], [3, 1, 2.5], [1, 3, 1], [1, 1, 2]], "readings of", out)
+    run("fit", scene, "--data", "data.csv", "-o", "predicted", "--emit", "2000", "--free", "lights.0.power_w", "--traces", "1")
+    run("report", "predicted", "--quiet")
+    check(drawn(at("predicted/report.html")).count(">Residuals (measured") == 1, "readings of two runs are shown once")
+
+
 def main(murk):
     if not browser.program():
         print("skipped: no chromium")
@@ -469,6 +495,8 @@ def main(murk):
         plot = Plot(text, "Measured against predicted")
         for mark, row in zip(plot.marks(0), rows):
             plot.is_at(mark, float(row["predicted"]), float(row["value"]), row)
+
+        check_prediction(run, at, scene)
 
         # tallies: a line, a map, single values, slices through a grid; light by band
         write("tallies.yaml", SCENE.replace("[550]", "[450, 550]") + TALLIES)

@@ -1,4 +1,5 @@
-// A calibration (fit.json, fit.csv): values with their intervals, residuals, what the readings tell, the search.
+// A calibration (fit.json, fit.csv): values with their intervals, residuals, what the readings tell, the search; and a
+// prediction (predict.json, fit.csv), which has no search.
 import { chart } from "./charts.js";
 import * as format from "./format.js";
 import { html, nothing } from "./html.js";
@@ -53,9 +54,9 @@ function readings(found) {
     predicted: predicted(row), residual: residual(row) }));
 }
 
-function residuals(list) {
-  const series = [["fitted", "fit"], ["held out", "hold_out"]].map(([name, use]) => ({
-    name,
+function residuals(list, name) {
+  const series = [[name, "fit"], ["held out", "hold_out"]].map(([title, use]) => ({
+    name: title,
     points: list.filter((r) => r.use === use && !Number.isNaN(r.residual))
       .map((r) => ({ x: r.row, y: r.residual, low: r.residual - HALF_INTERVAL, high: r.residual + HALF_INTERVAL })),
   }));
@@ -82,11 +83,12 @@ function agreements(list) {
   return units.map((unit) => agreement(list.filter((r) => r.unit === unit), unit));
 }
 
-function readingTables(found) {
+// name: what readings are called that are not held out.
+function readingTables(found, name) {
   const list = readings(found);
   return html`<h3>Residuals</h3>
 <div class="plans">
-${residuals(list)}${agreements(list)}</div>
+${residuals(list, name)}${agreements(list)}</div>
 ${table("Measured and predicted", ["row", "<kind", "<use", "measured", "predicted", "<unit", "residual σ"],
     list.map((r) => [String(r.row), word(r.kind), word(r.use), estimate(r.value, r.error), amount(r.predicted), word(r.unit), amount(r.residual)]),
     found.inFile, "fit.csv")}`;
@@ -160,14 +162,31 @@ function numbers(fit) {
   ]);
 }
 
-export function fit({ fit }) {
+export function fit({ fit, predict }) {
   if (fit === undefined) return nothing;
   const found = csv("fit.csv");
   return html`<section id="calibration" data-title="Calibration">
 <h2>The calibration</h2>
 <div class="beside">
 ${parameters(fit)}${intervals(fit)}</div>
-${found ? readingTables(found) : html`<p>There is no fit.csv beside fit.json.</p>`}${correlations(fit)}${directions(fit)}${
+${predict !== undefined ? html`<p>The folder has a prediction, too. The readings of fit.csv, which the later of both runs wrote, are shown there.</p>`
+  : found ? readingTables(found, "fitted") : html`<p>There is no fit.csv beside fit.json.</p>`}${correlations(fit)}${directions(fit)}${
     next(fit)}${starts(fit)}${numbers(fit)}</section>
+`;
+}
+
+// With --predict the values are those of a finished fit; else they are those of the scene, and none are listed.
+export function prediction({ predict }) {
+  if (predict === undefined) return nothing;
+  const found = csv("fit.csv"), values = items(predict, "parameters");
+  return html`<section id="prediction" data-title="Prediction">
+<h2>The prediction</h2>
+${values.length > 0 ? table("The values of the fit", ["key", "value"], values.map((p) => [text(p, "key"), amount(number(p, "value"))]),
+    count(predict, "parameters"), "predict.json") : nothing}${found ? readingTables(found, "readings")
+    : html`<p>There is no fit.csv beside predict.json.</p>`}${facts("The prediction in numbers", [
+    ["readings", format.number(number(predict, "data.rows"))],
+    ["data", text(predict, "data.file") ?? "–"],
+    ["times that light was traced", format.number(number(predict, "traces"))],
+  ])}</section>
 `;
 }

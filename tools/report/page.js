@@ -1,7 +1,7 @@
 // The report page of murk: draws the sections from the data that src/report/page.c puts into the page, then the view
 // in space. Built into src/report/web/page.js by tools/report/build.
 import { read } from "./data.js";
-import { fit } from "./fit.js";
+import { fit, prediction } from "./fit.js";
 import { follow } from "./follow.js";
 import { html } from "./html.js";
 import { light } from "./light.js";
@@ -28,7 +28,7 @@ function put(before, draw) {
 const rest = document.getElementById("pictures") ? "pictures" : "made";
 put(rest, () => placement(results));
 put(rest, () => where(space, results.note));
-for (const draw of [study, follow, fit, light, tallies]) put("made", () => draw(results));
+for (const draw of [study, follow, fit, prediction, light, tallies]) put("made", () => draw(results));
 
 const sections = [...main.querySelectorAll("section")].map(({ id, dataset }) => ({ id, title: dataset.title }));
 const contents = document.createElement("nav");
