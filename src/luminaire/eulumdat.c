@@ -112,7 +112,7 @@ static murk_status read_sizes(ldt *f)
         "width of luminous area",      "height of luminous area C0",
         "height of luminous area C90", "height of luminous area C180",
         "height of luminous area C270"};
-    enum { SIZES = sizeof names / sizeof *names };
+    enum { SIZES = sizeof names / sizeof *names, FIRST_HEIGHT = 5 };
     double size[SIZES];
     murk_status status = MURK_OK;
     for (size_t i = 0; i < SIZES && !status; ++i) {
@@ -125,12 +125,24 @@ static murk_status read_sizes(ldt *f)
     /* The shape of the luminous area. */
     const double length = size[3] * MM, width = size[4] * MM;
     murk_luminaire *out = f->out;
-    out->height_m = fmax(fmax(size[5], size[6]), fmax(size[7], size[8])) * MM;
+    const double height = fmax(fmax(size[5], size[6]), fmax(size[7], size[8]));
+    out->height_m = height * MM;
     out->aperture = length <= 0 && width <= 0 ? MURK_APERTURE_POINT
                     : width > 0               ? MURK_APERTURE_RECT
                                               : MURK_APERTURE_DISC;
     out->along_c0_m = width > 0 ? width : length;
     out->along_c90_m = width > 0 ? length : 0;
+    /* The first side that is lower than the highest. */
+    size_t side = FIRST_HEIGHT;
+    while (side < SIZES && size[side] >= height) {
+        ++side;
+    }
+    if (side < SIZES) {
+        murk_luminaire_text_warn(&f->text, f->text.line - (SIZES - side),
+                                 "%s is %g mm, but size: file takes the "
+                                 "highest, %g mm, for all sides",
+                                 names[side], size[side], height);
+    }
     return MURK_OK;
 }
 

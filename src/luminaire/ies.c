@@ -241,9 +241,10 @@ static bool is_upright_disc(double width, double length, double height,
 static void set_aperture(murk_luminaire *out, double width, double length,
                          double height, int year)
 {
-    const double w = fabs(width), l = fabs(length), h = fabs(height);
+    const double w = fabs(width), l = fabs(length);
     const bool is_round = width < 0 || length < 0;
-    out->height_m = h;
+    /* A positive height is that of luminous sides. */
+    out->height_m = fmax(height, 0);
     if (is_upright_disc(width, length, height, year)) {
         out->aperture = MURK_APERTURE_RECT; /* a line, as seen from below */
         out->along_c0_m = l;
@@ -258,8 +259,8 @@ static void set_aperture(murk_luminaire *out, double width, double length,
     } else {
         /* a rectangle, or a horizontal cylinder, of which a side of 0 has the
          * diameter in the height (1995) */
-        out->along_c0_m = l > 0 || height >= 0 ? l : h;
-        out->along_c90_m = w > 0 || height >= 0 ? w : h;
+        out->along_c0_m = l > 0 || height >= 0 ? l : -height;
+        out->along_c90_m = w > 0 || height >= 0 ? w : -height;
         out->aperture = out->along_c0_m > 0 || out->along_c90_m > 0
                             ? MURK_APERTURE_RECT
                             : MURK_APERTURE_POINT;

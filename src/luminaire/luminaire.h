@@ -48,7 +48,9 @@ typedef struct murk_luminaire {
                              * of the lamps; NAN as above */
     double input_w;         /* electrical input; 0: not stated */
     murk_luminaire_aperture aperture;
-    double along_c0_m, along_c90_m, height_m;
+    double along_c0_m, along_c90_m;
+    double height_m; /* of luminous sides, which make the opening a box or an
+                      * upright cylinder; 0: none, or another shape */
     /* Factors of the flux by the tilt of the luminaire from straight down, of a
      * file with TILT data. */
     size_t tilts;

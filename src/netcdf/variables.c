@@ -422,6 +422,7 @@ murk_status murk_netcdf_read_axes(murk_netcdf_reader *r, int variable)
                                ": must have the axes X, Y and Z, and T at most",
                                name);
     }
+    /* Each axis, then the three that must be there. */
     murk_status status = MURK_OK;
     for (int i = 0; i < n && !status; ++i) {
         status = read_axis(r, dimension[i]);

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/daylight_parts.h"
 #include "base/path.h"
@@ -104,6 +105,11 @@ static void describe_aperture(char *out, size_t size,
         snprintf(out, size, "%.4g m along C0, %.4g m along C90",
                  lamp->along_c0_m, lamp->along_c90_m);
     }
+    if (lamp->aperture != MURK_APERTURE_POINT && lamp->height_m > 0) {
+        const size_t n = strlen(out);
+        snprintf(out + n, size - n, ", luminous sides of %.4g m",
+                 lamp->height_m);
+    }
 }
 
 /* Prints the file of a luminaire: format, symmetry, flux against the declared
@@ -114,7 +120,7 @@ static void print_luminaire(const murk_scene_light *l, size_t number,
 {
     const murk_luminaire *lamp = l->luminaire;
     const double lumens = murk_intensity_lumens(lamp->intensity);
-    char aperture[80];
+    char aperture[120];
     describe_aperture(aperture, sizeof aperture, lamp);
     murk_print("luminaire   %zu", number);
     if (lamps > 1) {
@@ -289,6 +295,7 @@ static void add_luminaire(cJSON *item, const murk_scene_light *l, size_t number,
     cJSON_AddStringToObject(item, "luminous_area", shapes[lamp->aperture]);
     murk_json_number(item, "along_c0_m", lamp->along_c0_m);
     murk_json_number(item, "along_c90_m", lamp->along_c90_m);
+    murk_json_number(item, "height_m", lamp->height_m);
     add_intensities(item, lamp->intensity);
 }
 

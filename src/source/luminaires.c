@@ -9,7 +9,11 @@
  * point of the luminous area is drawn and the irradiance is intensity /
  * distance^2; along a line of sight (glare) the radiance is intensity / (area
  * times cosine). The area is luminous on both sides, as far as the table has
- * light there. */
+ * light there.
+ *
+ * With a height the area is a solid instead, a box or a cylinder, whose sides
+ * are luminous, too (source/luminous_solid.h). */
+#include "source/luminous_solid.h"
 #include "source/source_state.h"
 
 #include <math.h>
@@ -34,6 +38,35 @@ static double share_per_sr(const murk_source *l, murk_vec3 travel)
                              -murk_dot(travel, l->direction)};
     return murk_intensity_candela(l->intensity, local) /
            murk_intensity_lumens(l->intensity);
+}
+
+/* ---- shape ---- */
+
+static bool is_solid(const murk_source *l)
+{
+    return l->height_m > 0;
+}
+
+static murk_luminous_solid solid_of(const murk_source *l)
+{
+    return (murk_luminous_solid){.half = {murk_length(l->edge1) / 2,
+                                          murk_length(l->edge2) / 2,
+                                          l->height_m / 2},
+                                 .radius = l->radius_m};
+}
+
+/* Vectors from the world to the solid and back. */
+static murk_vec3 into(const murk_source *l, murk_vec3 v)
+{
+    return murk_vec(murk_dot(v, l->c0), murk_dot(v, c90_of(l)),
+                    murk_dot(v, l->direction));
+}
+
+static murk_vec3 out_of(const murk_source *l, murk_vec3 local)
+{
+    murk_vec3 v = murk_scale(local.x, l->c0);
+    v = murk_along(v, local.y, c90_of(l));
+    return murk_along(v, local.z, l->direction);
 }
 
 static double area_of(const murk_source *l)
@@ -62,15 +95,17 @@ static murk_vec3 normal(const murk_source *l)
                : murk_scale(-1, l->direction);
 }
 
-/* Half of the size of the luminous area along each axis. */
+/* Half of the size of the luminous area or solid along each axis. */
 static murk_vec3 reach_of(const murk_source *l)
 {
     const murk_vec3 d = murk_unit(l->direction), e = l->edge1, f = l->edge2;
-    const double r = l->radius_m;
-    return murk_vec(
-        r * sqrt(d.y * d.y + d.z * d.z) + 0.5 * (fabs(e.x) + fabs(f.x)),
-        r * sqrt(d.x * d.x + d.z * d.z) + 0.5 * (fabs(e.y) + fabs(f.y)),
-        r * sqrt(d.x * d.x + d.y * d.y) + 0.5 * (fabs(e.z) + fabs(f.z)));
+    const double r = l->radius_m, h = l->height_m;
+    return murk_vec(r * sqrt(d.y * d.y + d.z * d.z) +
+                        0.5 * (fabs(e.x) + fabs(f.x) + h * fabs(d.x)),
+                    r * sqrt(d.x * d.x + d.z * d.z) +
+                        0.5 * (fabs(e.y) + fabs(f.y) + h * fabs(d.y)),
+                    r * sqrt(d.x * d.x + d.y * d.y) +
+                        0.5 * (fabs(e.z) + fabs(f.z) + h * fabs(d.z)));
 }
 
 static murk_status prepare(murk_source_state *s, murk_error *err)
@@ -83,6 +118,10 @@ static murk_status prepare(murk_source_state *s, murk_error *err)
     if (!(l->radius_m >= 0 && isfinite(l->radius_m))) {
         return murk_fail(err, MURK_BAD_VALUE, l->where,
                          "radius_m is %g m, must be 0 m or more", l->radius_m);
+    }
+    if (!(l->height_m >= 0 && isfinite(l->height_m))) {
+        return murk_fail(err, MURK_BAD_VALUE, l->where,
+                         "height_m is %g m, must be 0 m or more", l->height_m);
     }
     const murk_status status = murk_source_prepare_direction(s, err);
     if (status) {
@@ -106,18 +145,61 @@ static murk_ray emit(const murk_source_state *s,
                      const double u[MURK_ENTRY_FACES_NUMBERS])
 {
     const murk_source *l = &s->light;
-    const murk_vec3 local = murk_intensity_draw(l->intensity, u[2], u[3]);
-    murk_vec3 d = murk_scale(local.x, l->c0);
-    d = murk_along(d, local.y, c90_of(l));
-    return (murk_ray){.origin = point_of(l, u),
-                      .direction =
-                          murk_unit(murk_along(d, -local.z, l->direction))};
+    murk_vec3 local = murk_intensity_draw(l->intensity, u[2], u[3]);
+    local.z = -local.z; /* the table has photometric zero at -z */
+    murk_vec3 origin;
+    if (is_solid(l)) {
+        const murk_luminous_solid solid = solid_of(l);
+        origin = murk_add(l->position,
+                          out_of(l, murk_luminous_leave(&solid, local, u)));
+    } else {
+        origin = point_of(l, u);
+    }
+    return (murk_ray){.origin = origin,
+                      .direction = murk_unit(out_of(l, local))};
+}
+
+/* The shine() of a solid: the radiance of a point that the place sees, times
+ * its projected area, over the squared distance. */
+static bool shine_solid(const murk_source *l, int band, murk_vec3 place,
+                        const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
+{
+    const murk_luminous_solid solid = solid_of(l);
+    murk_luminous_point from;
+    if (!murk_luminous_draw(&solid, into(l, murk_sub(place, l->position)), u,
+                            &from)) {
+        return false;
+    }
+    const murk_vec3 start = murk_add(l->position, out_of(l, from.point));
+    const murk_vec3 to_place = murk_sub(place, start);
+    shine->distance_m = murk_length(to_place);
+    if (!(shine->distance_m > 0)) {
+        return false;
+    }
+    shine->direction = murk_scale(1 / shine->distance_m, to_place);
+    shine->face = out_of(l, from.normal);
+    /* The area from which the light comes, as the place sees it. */
+    const double shown = from.area * murk_dot(shine->face, shine->direction);
+    const double square = shine->distance_m * shine->distance_m;
+    const double silhouette =
+        murk_luminous_silhouette(&solid, into(l, shine->direction));
+    if (!(shown > 0 && silhouette > 0)) {
+        return false;
+    }
+    shine->irradiance_w_per_m2 = l->power_w.band[band] *
+                                 share_per_sr(l, shine->direction) / square *
+                                 shown / silhouette;
+    shine->per_sr = square / shown;
+    return shine->irradiance_w_per_m2 > 0;
 }
 
 static bool shine(const murk_source_state *s, int band, murk_vec3 place,
                   const double u[MURK_SHINE_NUMBERS], murk_shine *shine)
 {
     const murk_source *l = &s->light;
+    if (is_solid(l)) {
+        return shine_solid(l, band, place, u, shine);
+    }
     const double area = area_of(l);
     const murk_vec3 to_place = murk_sub(place, point_of(l, u));
     shine->distance_m = murk_length(to_place);
@@ -146,10 +228,34 @@ static bool is_in_area(const murk_source *l, murk_vec3 aside)
            fabs(murk_dot(aside, l->edge2)) < 0.5 * murk_dot(l->edge2, l->edge2);
 }
 
+static murk_glare glare_solid(const murk_source *l, int band, murk_vec3 place,
+                              murk_vec3 sight)
+{
+    const murk_luminous_solid solid = solid_of(l);
+    const murk_vec3 along = into(l, sight);
+    const double silhouette = murk_luminous_silhouette(&solid, along);
+    murk_luminous_point at;
+    double distance;
+    if (!(silhouette > 0) ||
+        !murk_luminous_meet(&solid, into(l, murk_sub(place, l->position)),
+                            along, &at, &distance)) {
+        return (murk_glare){0};
+    }
+    const double shown = at.area * fabs(murk_dot(at.normal, along));
+    return (murk_glare){.radiance = l->power_w.band[band] *
+                                    share_per_sr(l, murk_scale(-1, sight)) /
+                                    silhouette,
+                        .distance_m = distance,
+                        .per_sr = distance * distance / shown};
+}
+
 static murk_glare glare(const murk_source_state *s, int band, murk_vec3 place,
                         murk_vec3 sight)
 {
     const murk_source *l = &s->light;
+    if (is_solid(l)) {
+        return glare_solid(l, band, place, sight);
+    }
     const double area = area_of(l), cosine = murk_dot(sight, l->direction);
     if (!(area > 0) || cosine == 0) {
         return (murk_glare){0};
@@ -176,7 +282,8 @@ static murk_box box(const murk_source *l)
 
 static double extent(const murk_source *l)
 {
-    return l->radius_m + 0.5 * (murk_length(l->edge1) + murk_length(l->edge2));
+    return l->radius_m +
+           0.5 * (murk_length(l->edge1) + murk_length(l->edge2) + l->height_m);
 }
 
 static double irradiance_near(const murk_source *l, int band, murk_vec3 to_lamp,

@@ -36,6 +36,9 @@ typedef struct murk_source {
     murk_vec3 direction;    /* beam, directional: direction of travel;
                              * luminaire: photometric zero; any length */
     double radius_m;        /* sphere, beam; luminaire: of a round opening */
+    double height_m;        /* luminaire: of luminous sides, along `direction`
+                             * and centered on the position; 0: none, the
+                             * opening is flat */
     const murk_intensity *intensity; /* luminaire: the distribution */
     murk_vec3 c0; /* luminaire: direction of C = 0, gamma = 90 degrees; made
                    * perpendicular to `direction`, any length */
@@ -73,8 +76,8 @@ murk_box murk_source_box(const murk_source *light);
 double murk_source_extent_m(const murk_source *lamp);
 
 /* The unit normal of a lamp that is a rectangle, or the direction to which a
- * luminaire sends most of its light: along the aim or against it; `otherwise`
- * for light of other types. */
+ * luminaire with a flat opening sends most of its light: along the aim or
+ * against it; `otherwise` for other light. */
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise);
 
 /* Estimate of the irradiance [W/m2] that a lamp gives at a point, on a plane

@@ -182,7 +182,8 @@ double murk_source_extent_m(const murk_source *lamp)
 murk_vec3 murk_source_face(const murk_source *light, murk_vec3 otherwise)
 {
     const murk_source_row *row = murk_source_row_of(light);
-    return row->normal ? row->normal(light) : otherwise;
+    return row->normal && !(light->height_m > 0) ? row->normal(light)
+                                                 : otherwise;
 }
 
 double murk_source_irradiance_near(const murk_source *lamp, int band,

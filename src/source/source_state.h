@@ -66,8 +66,9 @@ typedef struct murk_source_row {
     double (*extent_m)(const murk_source *light);
     /* The center of the lamp. NULL: the position. */
     murk_vec3 (*middle)(const murk_source *light);
-    /* Unit normal of a rectangle. NULL: murk_source_face() returns the argument
-     * `otherwise`, as for spheres, points, beams and distant light. */
+    /* Unit normal of a rectangle or of a flat opening. NULL: murk_source_face()
+     * returns the argument `otherwise`, as for spheres, points, beams and
+     * distant light. */
     murk_vec3 (*normal)(const murk_source *light);
     /* Estimate for murk_source_irradiance_near(). NULL: that of a point. */
     double (*irradiance_near)(const murk_source *light, int band,

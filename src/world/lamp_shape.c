@@ -50,6 +50,9 @@ void murk_lamp_shape(murk_source *out, const murk_scene_light *light)
                   : murk_unit(murk_along(murk_scale(c, c0), s, c90));
     /* The opening. */
     const murk_vec3 across = murk_cross(out->c0, aim);
+    out->height_m = light->has_size && lamp->aperture != MURK_APERTURE_POINT
+                        ? lamp->height_m
+                        : 0;
     if (light->has_size && lamp->aperture == MURK_APERTURE_DISC) {
         out->radius_m = lamp->along_c0_m / 2;
     } else if (light->has_size && lamp->aperture == MURK_APERTURE_RECT) {

@@ -49,6 +49,9 @@ static void put_light(FILE *out, const murk_source *l)
         murk_intensity_checksum(l->intensity, sum);
         fprintf(out, "%" PRIx64 " %" PRIx64 "\n", sum[0], sum[1]);
         put_vector(out, l->c0);
+        if (l->height_m > 0) {
+            fprintf(out, "high %a\n", l->height_m);
+        }
     }
     if (l->dome.c != 0 || l->dome.e != 0) { /* if both are 0, the direction of
                                              * sun or moon is not used */

@@ -2,8 +2,10 @@
  * photometric file, against the point-by-point formula E = I cos / d^2 (the
  * inverse-square cosine law; IES Lighting Handbook, 10th ed., 2011, ch. 10)
  * with the intensity of the table, at five distances; with the luminaire turned
- * and rolled; and near a luminaire with a luminous area, where every point of
- * the area counts by the same formula.
+ * and rolled; near a luminaire with a luminous area, where every point of the
+ * area counts by the same formula; and near one with luminous sides, whose
+ * faces count by their radiance, the intensity divided by the projected area of
+ * the box.
  *
  * The expected number of photons in a bin has a binomial distribution, whose
  * sigma is known. The checks share a 1e-6 chance of a false alarm (Sidak); the
@@ -20,7 +22,7 @@
 
 #define RAD     (MURK_PI / 180)
 #define PHOTONS 400000
-#define CHECKS  30
+#define CHECKS  40
 
 /* ---- the lamp, without any symmetry ---- */
 
@@ -33,13 +35,13 @@ static const double gamma_deg[GAMMAS] = {0, 15, 35, 60, 90, 120},
                                                {900, 1200, 1100, 500, 20, 9},
                                                {900, 1400, 800, 250, 40, 5}};
 
-static void write_lamp(const char *path)
+static void write_lamp(const char *path, const char *high)
 {
     char text[2000];
     int n = snprintf(text, sizeof text,
                      "IES:LM-63-2019\n[TEST] none\n[LUMINAIRE] Made up\n"
-                     "TILT=NONE\n1 5000 2 %d %d 1 2 1.2 0.8 0\n0.5 1.1 60\n",
-                     GAMMAS, PLANES);
+                     "TILT=NONE\n1 5000 2 %d %d 1 2 1.2 0.8 %s\n0.5 1.1 60\n",
+                     GAMMAS, PLANES, high);
     for (int i = 0; i < GAMMAS; ++i) {
         n += snprintf(text + n, sizeof text - (size_t)n, "%g ", gamma_deg[i]);
     }
@@ -101,7 +103,8 @@ static double lumens_of_table(void)
 #define SIDE   12.0 /* m: bins of 1 m */
 #define TILT   30.0 /* degrees, of the turned luminaire */
 #define ROLL   40.0
-#define N_SETS 3
+#define N_SETS 4
+#define BOX    3 /* the setting with luminous sides */
 
 /* Heights of the planes: distances 1, 2, 4, 6 and 8.5 m. */
 static const double height[] = {8, 7, 5, 3, 0.5};
@@ -110,12 +113,18 @@ static const double wrong[] = {1.05, 1.05, 1.1, 1.1, 1.15};
 enum { HEIGHTS = sizeof height / sizeof *height };
 
 /* A lamp that points straight down; one that is turned about x, so that it
- * points to (0, sin, -cos), and rolled; one with the area of the file. */
+ * points to (0, sin, -cos), and rolled; one with the area of the file; one with
+ * the box of another file. */
 static const char *const settings[N_SETS] = {
     "",
     ", aim: [0, 0.5, -0.86602540378443865], roll_deg: 40",
     ", size: file",
+    ", size: file",
 };
+
+/* The box: length 0.8 m along C = 0, width 1.2 m along C = 90 degrees. */
+static const double box_m[3] = {0.8, 1.2, 0.9};
+#define BOX_HIGH "0.9"
 
 /* A direction of the world in the coordinates of the lamp of a setting. */
 static murk_vec3 in_lamp(int setting, murk_vec3 d)
@@ -129,17 +138,53 @@ static murk_vec3 in_lamp(int setting, murk_vec3 d)
     return murk_vec(a * back.x + b * back.y, a * back.y - b * back.x, back.z);
 }
 
+/* E of the box at a place, given from the center of the box, times the flux:
+ * over all faces that the place sees, radiance times both cosines by d^2. */
+static double by_box(murk_vec3 place)
+{
+    enum { POINTS = 12 };
+    const double at[3] = {place.x, place.y, place.z};
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        if (fabs(at[k]) <= box_m[k] / 2) {
+            continue;
+        }
+        /* Points of the face that the place sees. */
+        for (int p = 0; p < POINTS * POINTS; ++p) {
+            double to[3];
+            to[k] = at[k] - copysign(box_m[k] / 2, at[k]);
+            to[i] = at[i] - box_m[i] * ((p % POINTS + 0.5) / POINTS - 0.5);
+            to[j] = at[j] - box_m[j] * ((p / POINTS + 0.5) / POINTS - 0.5);
+            const double d =
+                sqrt(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
+            const double shown = (box_m[1] * box_m[2] * fabs(to[0]) +
+                                  box_m[0] * box_m[2] * fabs(to[1]) +
+                                  box_m[0] * box_m[1] * fabs(to[2])) /
+                                 d;
+            const double area = box_m[i] * box_m[j] / POINTS / POINTS;
+            sum += intensity(murk_vec(to[0], to[1], to[2])) / shown * area *
+                   fabs(to[k]) / d * -to[2] / d / (d * d);
+        }
+    }
+    return sum;
+}
+
 /* The share of the flux through one bin: E = I cos / d^2, averaged over the bin
  * and over the luminous area. */
 static double share_of(int setting, double z, size_t bin_i, size_t bin_j,
                        double lumens)
 {
     const murk_vec3 place = PLACE;
-    const int points = setting == 2 ? 12 : 1, steps = setting == 2 ? 20 : 100;
+    const int points = setting == 2 ? 12 : 1, steps = setting >= 2 ? 20 : 100;
     double sum = 0;
     for (int k = 0; k < steps * steps; ++k) {
         const double x = (double)bin_i + (k % steps + 0.5) / steps - SIDE / 2;
         const double y = (double)bin_j + (k / steps + 0.5) / steps - SIDE / 2;
+        if (setting == BOX) {
+            sum += by_box(murk_vec(x - place.x, y - place.y, z - place.z));
+            continue;
+        }
         for (int p = 0; p < points * points; ++p) {
             /* Length 0.8 m along C = 0, width 1.2 m along C = 90 degrees. */
             const double u =
@@ -205,6 +250,10 @@ static void check_setting(const char *lamp, int setting, double lumens)
             worst_wrong =
                 fmax(worst_wrong,
                      sigmas_off(got.value / power_w, wrong[plane] * p, sigma));
+            if (setting == BOX && plane == 0 && k == 0) { /* teeth */
+                const double flat = share_of(2, height[plane], i, j, lumens);
+                CHECK(sigmas_off(got.value / power_w, flat, sigma) > limit);
+            }
             printf("setting %d, %.1f m, bin %zu %zu: %.4f lx, formula %.4f lx, "
                    "%.1f sigma\n",
                    setting, 9 - height[plane], i, j, got.value * 683,
@@ -251,16 +300,19 @@ static void check_threads(const char *lamp)
 
 int main(void)
 {
-    char lamp[] = "/tmp/murk-lamp-XXXXXX";
-    const int fd = mkstemp(lamp);
-    CHECK(fd >= 0);
-    write_lamp(lamp);
+    char lamp[] = "/tmp/murk-lamp-XXXXXX", box[] = "/tmp/murk-lamp-XXXXXX";
+    const int fd[] = {mkstemp(lamp), mkstemp(box)};
+    CHECK(fd[0] >= 0 && fd[1] >= 0);
+    write_lamp(lamp, "0");
+    write_lamp(box, BOX_HIGH);
     const double lumens = lumens_of_table();
     for (int i = 0; i < N_SETS; ++i) {
-        check_setting(lamp, i, lumens);
+        check_setting(i == BOX ? box : lamp, i, lumens);
     }
     check_threads(lamp);
-    close(fd);
+    close(fd[0]);
+    close(fd[1]);
     unlink(lamp);
+    unlink(box);
     return check_done();
 }

@@ -184,20 +184,21 @@ static void test_apertures(void)
     static const struct {
         const char *year, *size;
         murk_luminaire_aperture aperture;
-        double along_c0_m, along_c90_m;
+        double along_c0_m, along_c90_m, height_m;
     } known[] = {
-        {"2002", "2 0 0 0", MURK_APERTURE_POINT, 0, 0},
-        {"2002", "2 .3 .5 0", MURK_APERTURE_RECT, .5, .3},
-        {"2002", "1 1 2 .1", MURK_APERTURE_RECT, .6096, .3048},
-        {"2002", "2 -.4 -.4 0", MURK_APERTURE_DISC, .4, 0},
-        {"1995", "2 -.4 0 .05", MURK_APERTURE_DISC, .4, 0},
-        {"1995", "2 -.4 .9 0", MURK_APERTURE_DISC, .6, 0},
-        {"2002", "2 -.4 .9 -.4", MURK_APERTURE_RECT, .9, .4},
-        {"1995", "2 0 .9 -.2", MURK_APERTURE_RECT, .9, .2},
-        {"2002", "2 -.2 -.2 -.2", MURK_APERTURE_DISC, .2, 0},
-        {"2002", "2 -.4 0 -.4", MURK_APERTURE_RECT, 0, .4},
-        {"2002", "2 0 -.4 -.4", MURK_APERTURE_RECT, .4, 0},
-        {"1995", "2 -.4 0 -.4", MURK_APERTURE_DISC, .4, 0},
+        {"2002", "2 0 0 0", MURK_APERTURE_POINT, 0, 0, 0},
+        {"2002", "2 .3 .5 0", MURK_APERTURE_RECT, .5, .3, 0},
+        {"2002", "1 1 2 .1", MURK_APERTURE_RECT, .6096, .3048, .03048},
+        {"2002", "2 -.4 -.4 0", MURK_APERTURE_DISC, .4, 0, 0},
+        {"1995", "2 -.4 0 .05", MURK_APERTURE_DISC, .4, 0, .05},
+        {"1995", "2 -.4 .9 0", MURK_APERTURE_DISC, .6, 0, 0},
+        {"2002", "2 -.4 -.4 .7", MURK_APERTURE_DISC, .4, 0, .7},
+        {"2002", "2 -.4 .9 -.4", MURK_APERTURE_RECT, .9, .4, 0},
+        {"1995", "2 0 .9 -.2", MURK_APERTURE_RECT, .9, .2, 0},
+        {"2002", "2 -.2 -.2 -.2", MURK_APERTURE_DISC, .2, 0, 0},
+        {"2002", "2 -.4 0 -.4", MURK_APERTURE_RECT, 0, .4, 0},
+        {"2002", "2 0 -.4 -.4", MURK_APERTURE_RECT, .4, 0, 0},
+        {"1995", "2 -.4 0 -.4", MURK_APERTURE_DISC, .4, 0, 0},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; ++i) {
         /* units, width, length, height */
@@ -210,6 +211,7 @@ static void test_apertures(void)
         CHECK(lamp && lamp->aperture == known[i].aperture);
         CHECK_NEAR(lamp ? lamp->along_c0_m : 0, known[i].along_c0_m, 1e-12);
         CHECK_NEAR(lamp ? lamp->along_c90_m : 0, known[i].along_c90_m, 1e-12);
+        CHECK_NEAR(lamp ? lamp->height_m : 0, known[i].height_m, 1e-12);
         murk_luminaire_destroy(lamp);
     }
 }
@@ -494,6 +496,11 @@ static void test_warnings(void)
                   "a.ies: vertical angles 0..85");
     check_warning("a.ies", HEAD ROUND TABLE, NULL);
     check_warning("a.ldt", ldt(4, "1"), NULL);
+    /* Luminous sides of different heights. */
+    check_warning("a.ldt", changed(19, "50"),
+                  "a.ldt:18: height of luminous area C0 is 0 mm, but size: "
+                  "file takes the highest, 50 mm");
+    check_warning("a.ldt", changed(18, "50"), "a.ldt:19: height of luminous");
     check_warning("a.ldt", changed(LAST_GAMMA, "175"),
                   "a.ldt: vertical angles 0..175");
     for (int type = 2; type <= 3; ++type) {

@@ -203,18 +203,20 @@ static void test_point_by_point(void)
     murk_intensity_destroy(table);
 }
 
-/* Each draw from a luminous area is seen where it comes from, with radiance and
- * density that go with its irradiance. */
+/* Each draw from a luminous area or solid is seen where it comes from, with
+ * radiance and density that go with its irradiance. */
 static void test_what_is_drawn_is_seen(void)
 {
     murk_intensity *table = lopsided();
-    for (int is_disc = 0; is_disc < 2; ++is_disc) {
+    for (int shape = 0; shape < 4; ++shape) {
+        const bool is_disc = shape & 1;
         murk_source light = lamp_of(table);
         light.direction = murk_vec(0, 0, -1);
         light.c0 = murk_vec(1, 0, 0);
         light.radius_m = is_disc ? 0.5 : 0;
         light.edge1 = murk_vec(is_disc ? 0 : 1, 0, 0);
         light.edge2 = murk_vec(0, is_disc ? 0 : 2, 0);
+        light.height_m = shape > 1 ? 0.7 : 0;
         murk_sources *lights = made(&light);
         /* Places below and above the luminaire. */
         int seen = 0;
@@ -236,6 +238,62 @@ static void test_what_is_drawn_is_seen(void)
         }
         CHECK(seen > 300);
         murk_sources_destroy(lights);
+    }
+    murk_intensity_destroy(table);
+}
+
+/* Sum of what is seen from a place over a fine grid of directions, which needs
+ * nothing of the way in which points are drawn. */
+static double seen_in_all(const murk_sources *lights, murk_vec3 place)
+{
+    enum { STEPS = 1200 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; ++i) {
+        const double mu = 2 * (i + 0.5) / STEPS - 1, s = sqrt(1 - mu * mu);
+        for (int k = 0; k < STEPS; ++k) {
+            const double phi = 2 * MURK_PI * (k + 0.5) / STEPS;
+            sum += murk_sources_glare(lights, 0, 0, place,
+                                      murk_vec(s * cos(phi), s * sin(phi), mu))
+                       .radiance;
+        }
+    }
+    return sum * 4 * MURK_PI / STEPS / STEPS;
+}
+
+/* Near a box or a cylinder the mean of the irradiance that is drawn is the
+ * integral of the radiance, and a flat opening gives another one. */
+static void test_near_a_solid(void)
+{
+    murk_intensity *table = lopsided();
+    for (int is_disc = 0; is_disc < 2; ++is_disc) {
+        murk_source light = lamp_of(table);
+        light.radius_m = is_disc ? 0.5 : 0;
+        const murk_vec3 aim = murk_unit(light.direction);
+        const murk_vec3 c0 =
+            murk_unit(murk_along(light.c0, -murk_dot(light.c0, aim), aim));
+        light.edge1 = is_disc ? murk_vec(0, 0, 0) : murk_scale(0.4, c0);
+        light.edge2 =
+            is_disc ? murk_vec(0, 0, 0) : murk_scale(1.1, murk_cross(c0, aim));
+        double mean[2] = {0};
+        for (int is_flat = 0; is_flat < 2; ++is_flat) {
+            light.height_m = is_flat ? 0 : 0.7;
+            murk_sources *lights = made(&light);
+            const murk_vec3 place = {2, 0.6, 1.2};
+            enum { STEPS = 120 };
+            for (int i = 0; i < STEPS * STEPS; ++i) {
+                const double u[MURK_SHINE_NUMBERS] = {
+                    (i % STEPS + 0.5) / STEPS, (i / STEPS + 0.5) / STEPS, 0.5};
+                murk_shine shine = {.irradiance_w_per_m2 = 0};
+                if (murk_sources_shine(lights, 0, 0, place, u, &shine)) {
+                    mean[is_flat] += shine.irradiance_w_per_m2 / STEPS / STEPS;
+                }
+            }
+            if (!is_flat) {
+                CHECK_NEAR(mean[0] / seen_in_all(lights, place), 1, 0.005);
+            }
+            murk_sources_destroy(lights);
+        }
+        CHECK(fabs(mean[1] / mean[0] - 1) > 0.05); /* teeth */
     }
     murk_intensity_destroy(table);
 }
@@ -266,6 +324,13 @@ static void test_refusals(void)
     light.direction = murk_vec(1, 0, 0);
     light.radius_m = 0.3;
     check_refused(light, "the luminaire at");
+    light.radius_m = 0;
+    light.height_m = 0.3; /* along x, so it is inside */
+    murk_sources_destroy(made(&light));
+    light.direction = murk_vec(0, 1, 1);
+    check_refused(light, "the luminaire at");
+    light.height_m = NAN;
+    check_refused(light, "height_m is nan");
     murk_intensity_destroy(table);
 }
 
@@ -275,6 +340,7 @@ int main(void)
     test_the_luminous_area();
     test_point_by_point();
     test_what_is_drawn_is_seen();
+    test_near_a_solid();
     test_refusals();
     return check_done();
 }

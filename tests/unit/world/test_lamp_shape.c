@@ -85,6 +85,13 @@ static void test_luminous_areas(void)
     out = (murk_source){.direction = {0, 0, -1}};
     murk_lamp_shape(&out, &light);
     CHECK(out.radius_m == 1 && murk_length(out.edge1) == 0);
+    CHECK(out.height_m == 0);
+    lamp.height_m = 0.5;
+    murk_lamp_shape(&out, &light);
+    CHECK(out.height_m == 0.5);
+    light.has_size = false;
+    murk_lamp_shape(&out, &light);
+    CHECK(out.height_m == 0);
 }
 
 int main(void)
