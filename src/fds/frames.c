@@ -20,92 +20,23 @@ static murk_status bad(const murk_fds_frames *f, const char *problem,
     return murk_fail(err, MURK_BAD_FILE, f->where, "%s", problem);
 }
 
-static uint32_t swapped(uint32_t word)
-{
-    return __builtin_bswap32(word);
-}
-
-/* ---- records ---- */
-
-/* Reads the length before or after a record; false at the end of the file. */
-static bool read_length(murk_fds_frames *f, uint32_t *out)
-{
-    uint32_t word;
-    if (fread(&word, sizeof word, 1, f->file) != 1) {
-        f->is_cut = true;
-        return false;
-    }
-    *out = f->is_swapped ? swapped(word) : word;
-    return true;
-}
-
-static bool read_exactly(murk_fds_frames *f, void *out, size_t words)
-{
-    const bool is_read = fread(out, 4, words, f->file) == words;
-    f->is_cut = f->is_cut || !is_read;
-    return is_read;
-}
-
-/* Reads a record of exactly n words of four bytes and brings them to the byte
- * order of this computer. False if there is no such record. */
-static bool read_words(murk_fds_frames *f, void *out, size_t n)
-{
-    uint32_t before, after;
-    if (!read_length(f, &before) || before != 4 * n ||
-        !read_exactly(f, out, n) || !read_length(f, &after) ||
-        after != before) {
-        return false;
-    }
-    uint32_t *word = out;
-    for (size_t i = 0; f->is_swapped && i < n; ++i) {
-        word[i] = swapped(word[i]);
-    }
-    return true;
-}
-
-/* Skips a record; *size is the number of bytes in it. */
-static bool skip_record(murk_fds_frames *f, uint64_t file_bytes, uint32_t *size)
-{
-    uint32_t after;
-    const bool has_length = read_length(f, size);
-    const off_t at = ftello(f->file);
-    f->is_cut = f->is_cut ||
-                (has_length && at >= 0 && *size > file_bytes - (uint64_t)at);
-    return has_length && !f->is_cut && at >= 0 &&
-           fseeko(f->file, (off_t)*size, SEEK_CUR) == 0 &&
-           read_length(f, &after) && after == *size;
-}
-
 /* ---- the beginning of a file ---- */
 
-/* The first length of both kinds of file is known and tells the byte order. */
-static bool find_byte_order(murk_fds_frames *f)
-{
-    const uint32_t expected = f->is_smoke3d ? 32 : LABEL_BYTES;
-    uint32_t length = 0;
-    f->is_swapped = false;
-    if (!read_length(f, &length)) {
-        return false;
-    }
-    f->is_swapped = swapped(length) == expected;
-    rewind(f->file);
-    return f->is_swapped || length == expected;
-}
-
-static bool read_header(murk_fds_frames *f, uint64_t file_bytes)
+static bool read_header(murk_fds_frames *f)
 {
     if (f->is_smoke3d) {
         int32_t words[8];
-        const bool is_read = read_words(f, words, 8);
+        const bool is_read = murk_fds_record_words(&f->records, words, 8);
         memcpy(f->nodes, &words[2], sizeof f->nodes);
         return is_read;
     }
     bool is_good = true;
     for (int label = 0; label < 3 && is_good; ++label) {
-        uint32_t size = 0;
-        is_good = skip_record(f, file_bytes, &size) && size == LABEL_BYTES;
+        uint64_t size = 0;
+        is_good =
+            murk_fds_record_skip(&f->records, &size) && size == LABEL_BYTES;
     }
-    return is_good && read_words(f, f->nodes, 6);
+    return is_good && murk_fds_record_words(&f->records, f->nodes, 6);
 }
 
 /* Computes the number of values of a frame; false if the nodes are out of
@@ -129,15 +60,15 @@ static bool count_values(murk_fds_frames *f)
 /* ---- frames ---- */
 
 /* Skips the records of a frame after the time; false if they are not whole. */
-static bool skip_frame(murk_fds_frames *f, uint64_t file_bytes)
+static bool skip_frame(murk_fds_frames *f)
 {
-    uint32_t size = 0;
+    uint64_t size = 0;
     if (f->is_smoke3d) {
         uint32_t bytes[2];
-        return read_words(f, bytes, 2) && skip_record(f, file_bytes, &size) &&
-               size == bytes[1];
+        return murk_fds_record_words(&f->records, bytes, 2) &&
+               murk_fds_record_skip(&f->records, &size) && size == bytes[1];
     }
-    return skip_record(f, file_bytes, &size) && size == 4 * f->values;
+    return murk_fds_record_skip(&f->records, &size) && size == 4 * f->values;
 }
 
 static bool add_frame(murk_fds_frames *f, size_t *capacity, float time_s,
@@ -165,15 +96,15 @@ static bool add_frame(murk_fds_frames *f, size_t *capacity, float time_s,
 /* Finds all frames. A run that was restarted may repeat times: a frame that is
  * not later than the one before is refused, because it is not clear which of
  * them is meant. */
-static murk_status find_frames(murk_fds_frames *f, uint64_t file_bytes,
-                               murk_error *err)
+static murk_status find_frames(murk_fds_frames *f, murk_error *err)
 {
     size_t capacity = 0;
     float time_s;
-    while (f->n < FRAMES_MAX && read_words(f, &time_s, 1)) {
+    while (f->n < FRAMES_MAX &&
+           murk_fds_record_words(&f->records, &time_s, 1)) {
         const off_t at = ftello(f->file);
-        if (at < 0 || !skip_frame(f, file_bytes)) {
-            if (!f->is_cut) {
+        if (at < 0 || !skip_frame(f)) {
+            if (!f->records.is_cut) {
                 return bad(f, "has a frame that is malformed", err);
             }
             break;
@@ -203,14 +134,17 @@ murk_status murk_fds_frames_open(murk_fds_frames *out, const char *path,
     if (!S_ISREG(facts.st_mode)) {
         return bad(f, "is not a regular file", err);
     }
-    const uint64_t bytes = (uint64_t)facts.st_size;
-    if (!find_byte_order(f) || !read_header(f, bytes) || !count_values(f)) {
+    /* The first length of both kinds of file is known. */
+    f->records =
+        (murk_fds_records){.file = f->file, .bytes = (uint64_t)facts.st_size};
+    if (!murk_fds_records_begin(&f->records, is_smoke3d ? 32 : LABEL_BYTES) ||
+        !read_header(f) || !count_values(f)) {
         return bad(f,
                    is_smoke3d ? "does not begin as a .s3d file of FDS"
                               : "does not begin as a slice file of FDS",
                    err);
     }
-    return find_frames(f, bytes, err);
+    return find_frames(f, err);
 }
 
 void murk_fds_frames_close(murk_fds_frames *f)
@@ -249,17 +183,17 @@ static bool expand(const unsigned char *bytes, size_t n, float *out,
 
 static murk_status read_bytes(murk_fds_frames *f, float *out, murk_error *err)
 {
-    uint32_t sizes[2], length;
-    if (!read_words(f, sizes, 2) || !read_length(f, &length)) {
+    uint32_t sizes[2];
+    if (!murk_fds_record_words(&f->records, sizes, 2)) {
         return bad(f, "cannot be read", err);
     }
-    unsigned char *bytes = malloc((size_t)length + 1);
+    unsigned char *bytes = malloc((size_t)sizes[1] + 1);
     if (!bytes) {
         return murk_no_memory(err, f->where, "for a frame");
     }
-    const bool is_good = fread(bytes, 1, length, f->file) == length &&
+    const bool is_good = murk_fds_record_bytes(&f->records, bytes, sizes[1]) &&
                          sizes[0] == f->values &&
-                         expand(bytes, length, out, f->values);
+                         expand(bytes, sizes[1], out, f->values);
     free(bytes);
     return is_good ? MURK_OK
                    : bad(f, "has a frame with too few or too many values", err);
@@ -275,6 +209,7 @@ murk_status murk_fds_frames_read(murk_fds_frames *frames, size_t frame,
     if (f->is_smoke3d) {
         return read_bytes(f, out, err);
     }
-    return read_words(f, out, f->values) ? MURK_OK
-                                         : bad(f, "cannot be read", err);
+    return murk_fds_record_words(&f->records, out, f->values)
+               ? MURK_OK
+               : bad(f, "cannot be read", err);
 }

@@ -1,6 +1,5 @@
-/* Frames of the binary files of FDS: Fortran records, each between two lengths
- * of four bytes, in the byte order of the computer that wrote them. For use
- * inside src/fds only.
+/* Frames of the binary files of FDS (fds/records.h). For use inside src/fds
+ * only.
  *
  * .s3d: a record of eight integers (1, 0, the first and last node along x, y
  * and z), then for each frame records with the time, with two numbers of bytes
@@ -11,15 +10,15 @@
 #ifndef MURK_FDS_FRAMES_H
 #define MURK_FDS_FRAMES_H
 
+#include "fds/records.h"
 #include "fds/run.h"
 
 #include <stdio.h>
 
 typedef struct murk_fds_frames {
     FILE *file;
+    murk_fds_records records;
     bool is_smoke3d;
-    bool is_swapped;   /* the other byte order */
-    bool is_cut;       /* the end of the file was met within a record */
     int32_t nodes[6];  /* lowest and highest along x, y and z */
     uint64_t values;   /* of a frame */
     size_t n;          /* frames */

@@ -1,6 +1,7 @@
 /* Frames of .s3d and .sf files, written here in both byte orders: values,
- * choice and mean of frames, a last frame that is cut off, and files that are
- * refused. Conversions into extinction against the formulas. */
+ * choice and mean of frames, a last frame that is cut off, records that are
+ * divided, and files that are refused. Conversions into extinction against the
+ * formulas. */
 #include "check.h"
 #include "fds/extinction.h"
 #include "fds/frames.h"
@@ -242,6 +243,84 @@ static void test_slices(void)
     CHECK(read_field(&f, MURK_FDS_VISIBILITY, 0, &err) == MURK_BAD_VALUE);
 }
 
+/* Divides the records of the file into subrecords of at most `max` bytes, as
+ * compilers divide those of 2 GB and more: a negative length before the bytes
+ * if another subrecord follows, behind them if one came before. */
+static void divide(uint32_t max)
+{
+    static unsigned char whole[sizeof file];
+    const size_t n = size;
+    memcpy(whole, file, n);
+    size = 0;
+    for (size_t at = 0; at < n;) {
+        uint32_t length;
+        memcpy(&length, whole + at, 4);
+        length = is_swapped ? __builtin_bswap32(length) : length;
+        for (uint32_t from = 0; from == 0 || from < length;) {
+            const uint32_t part = length - from < max ? length - from : max;
+            put_word(from + part < length ? -part : part);
+            memcpy(&file[size], whole + at + 4 + from, part);
+            size += part;
+            put_word(from > 0 ? -part : part);
+            from += part > 0 ? part : 1;
+        }
+        at += 8 + length;
+    }
+}
+
+static void test_divided_records(bool swapped)
+{
+    const uint32_t n[3] = {1, 1, 2};
+    unsigned char code[36];
+    float value[12];
+    murk_fds_field *f = NULL;
+    murk_error err;
+    is_swapped = swapped;
+    for (unsigned char i = 0; i < 12; ++i) {
+        code[3 * i] = 255;
+        code[3 * i + 1] = 100 + i;
+        code[3 * i + 2] = 1;
+        value[i] = 0.125F * (float)(i + 1);
+    }
+    begin(true, n);
+    put_smoke(1, code, sizeof code, 12);
+    put_smoke(2, code, sizeof code, 12);
+    divide(32); /* the first record, of 32 bytes, is whole */
+    save("a.s3d");
+    save_smv(SMOKE);
+    CHECK(read_field(&f, MURK_FDS_SOOT_DENSITY, 2, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    for (int i = 0; f && i < 12; ++i) {
+        CHECK_NEAR((double)f->block[0].value[i], of_byte(100 + i), 1e-6);
+    }
+    murk_fds_field_destroy(f);
+    /* Two subrecords of values; the third frame is cut off in them. */
+    begin(false, n);
+    put_slice(0, value, 12);
+    value[0] = 7;
+    put_slice(1, value, 12);
+    put_slice(2, value, 12);
+    divide(30);
+    size -= 2;
+    save("b.sf");
+    save_smv("SLCF 1 # STRUCTURED & 0 1 0 1 0 2 ! 1 0\n b.sf\n SOOT EXTINCTION "
+             "COEFFICIENT\n K\n 1/m\n");
+    CHECK(read_field(&f, MURK_FDS_EXTINCTION, 1, &err) == MURK_OK);
+    CHECK(f && f->block[0].value[0] == 7 && f->block[0].value[11] == 1.5F);
+    murk_fds_field_destroy(f);
+    CHECK(read_field(&f, MURK_FDS_EXTINCTION, 2, &err) == MURK_BAD_VALUE);
+    CHECK_MENTIONS(err.text, "must be 0 to 1 s");
+    /* Behind the bytes the sign tells of the subrecord before. */
+    begin(false, n);
+    put_slice(0, value, 12);
+    divide(30);
+    size -= 4;
+    put_word(48 - 30); /* must be negative */
+    save("b.sf");
+    CHECK(read_field(&f, MURK_FDS_EXTINCTION, 0, &err) == MURK_BAD_FILE);
+    CHECK_MENTIONS(err.text, "malformed");
+}
+
 static void refuses(const char *problem)
 {
     murk_fds_field *f = NULL;
@@ -283,6 +362,8 @@ int main(void)
     test_smoke(false);
     test_smoke(true);
     test_slices();
+    test_divided_records(false);
+    test_divided_records(true);
     test_refused();
     static const char *const names[] = {"run.smv", "a.s3d", "b.sf", "c.sf"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
