@@ -41,27 +41,28 @@ static int by_name(const void *a, const void *b)
 }
 
 /* Lists the names of data files in a folder. */
-static bool list_names(list *to, DIR *folder)
+static bool list_names(list *to, DIR *folder, bool of_walls)
 {
     bool is_whole = true;
     for (const struct dirent *entry = readdir(folder); entry && is_whole;
          entry = readdir(folder)) {
         const char *name = entry->d_name;
-        if (ends_with(name, ".s3d") || ends_with(name, ".sf")) {
+        if (of_walls ? ends_with(name, ".ge")
+                     : ends_with(name, ".s3d") || ends_with(name, ".sf")) {
             is_whole = append(to, name);
         }
     }
     return is_whole;
 }
 
-bool murk_fds_data_files(const char *path,
+bool murk_fds_data_files(const char *path, bool of_walls,
                          bool (*add)(void *context, const char *file),
                          void *context)
 {
     char *here = murk_path_beside(path, ".");
     DIR *folder = here ? opendir(here) : NULL;
     list names = {0};
-    bool is_whole = here && (!folder || list_names(&names, folder));
+    bool is_whole = here && (!folder || list_names(&names, folder, of_walls));
     if (folder) {
         closedir(folder);
     }

@@ -453,6 +453,10 @@ static murk_status read_section(reader *r)
     if (IS("VENT")) {
         return read_vents(r);
     }
+    if (IS("GEOM")) {
+        r->run->geom_line = r->line;
+        return need_name(r, r->run->geom, sizeof r->run->geom);
+    }
     if (IS("SURFDEF")) {
         return need_name(r, r->run->usual, sizeof r->run->usual);
     }
@@ -478,6 +482,18 @@ static murk_status read_section(reader *r)
 
 /* ---- checks of the whole ---- */
 
+/* Data files lie beside the .smv file; a name, of at most size - 2 bytes, must
+ * not lead elsewhere. */
+static murk_status check_name(const reader *at, const char *file, size_t size)
+{
+    const bool is_beside = file[0] != '\0' && file[0] != '.' &&
+                           !strchr(file, '/') && strlen(file) + 1 < size;
+    return is_beside
+               ? MURK_OK
+               : bad(at, "a data file must lie in the folder of the .smv file",
+                     file);
+}
+
 static murk_status check_data(const reader *r, const murk_fds_data *data)
 {
     const murk_fds_run *run = r->run;
@@ -485,12 +501,9 @@ static murk_status check_data(const reader *r, const murk_fds_data *data)
     if (data->mesh >= run->meshes) {
         return bad(&at, "the mesh of a data file is not there", NULL);
     }
-    /* Data files lie beside the .smv file; a name must not lead elsewhere. */
-    if (data->file[0] == '\0' || data->file[0] == '.' ||
-        strchr(data->file, '/') ||
-        strlen(data->file) + 1 >= sizeof data->file) {
-        return bad(&at, "a data file must lie in the folder of the .smv file",
-                   data->file);
+    const murk_status status = check_name(&at, data->file, sizeof data->file);
+    if (status) {
+        return status;
     }
     const murk_fds_mesh *mesh = &run->mesh[data->mesh];
     for (int axis = 0; axis < 3 && data->kind != MURK_FDS_SMOKE3D; ++axis) {
@@ -539,6 +552,11 @@ static murk_status check_run(const reader *r)
     }
     for (size_t i = 0; i < run->meshes && !status; ++i) {
         status = check_mesh(r, &run->mesh[i]);
+    }
+    if (!status && run->geom_line > 0) {
+        const reader at = {
+            .where = r->where, .line = run->geom_line, .err = r->err};
+        status = check_name(&at, run->geom, sizeof run->geom);
     }
     for (size_t i = 0; i < run->files && !status; ++i) {
         status = check_data(r, &run->data[i]);

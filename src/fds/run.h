@@ -77,6 +77,9 @@ typedef struct murk_fds_run {
     uint32_t usual_surface;         /* its index; 0 if there is no such */
     murk_fds_event *event;
     murk_fds_data *data; /* [files] */
+    char geom[256]; /* file of triangles (fds/geom.h), in the folder of the .smv
+                     * file; empty: none */
+    unsigned geom_line; /* in the .smv file */
 } murk_fds_run;
 
 /* Reads a .smv file. The caller owns *out and releases it with

@@ -159,11 +159,12 @@ static bool meet_flat(const murk_luminous_solid *s, int k, murk_vec3 place,
                       murk_vec3 sight, murk_luminous_point *out,
                       double *distance_m)
 {
-    const double at = murk_component(place, k), way = murk_component(sight, k);
-    if (!(fabs(at) > s->half[k]) || !(at * way < 0)) {
+    const double at = murk_component(place, k),
+                 toward = murk_component(sight, k);
+    if (!(fabs(at) > s->half[k]) || !(at * toward < 0)) {
         return false;
     }
-    *distance_m = (fabs(at) - s->half[k]) / fabs(way);
+    *distance_m = (fabs(at) - s->half[k]) / fabs(toward);
     out->point = murk_along(place, *distance_m, sight);
     out->normal = flat_normal(k, at);
     if (s->radius > 0) {

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "fds/data_files.h"
 #include "scene/print.h"
+#include "world/mesh_files.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -94,7 +95,14 @@ bool murk_file_sums_scene(FILE *out, murk_file_sums *sums,
         /* The files of a simulation are not named in the scene. */
         if (is_whole && m->fds) {
             sums_to to = {out, sums};
-            is_whole = murk_fds_data_files(m->fds, put_data_file, &to);
+            is_whole = murk_fds_data_files(m->fds, false, put_data_file, &to);
+        }
+    }
+    for (size_t i = 0; i < murk_mesh_files_count(scene) && is_whole; ++i) {
+        const murk_mesh_file file = murk_mesh_file_at(scene, i);
+        if (file.path && file.import.is_fds) {
+            sums_to to = {out, sums};
+            is_whole = murk_fds_data_files(file.path, true, put_data_file, &to);
         }
     }
     for (size_t i = 0; i < scene->n_conditions && is_whole; ++i) {
