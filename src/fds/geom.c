@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define VERSION 2
+#define VERSION 2 /* of the format, as FDS 6 writes it */
 
 typedef struct reader {
     murk_fds_records records;

@@ -52,6 +52,7 @@ static murk_status send_parts(murk_subprocess *to, const parts *p,
         .triangles = 2 * p->walls->n + p->geom->triangles,
         .materials = p->run->surfaces,
         .names_others = p->run->geom[0] != '\0'};
+    /* The head, vertices, triangles, and the names of materials. */
     float *vertex = malloc((3 * head.vertices + 1) * sizeof *vertex);
     uint32_t *triangle = malloc((4 * head.triangles + 1) * sizeof *triangle);
     murk_status status =
@@ -87,6 +88,7 @@ static murk_status import_walls(murk_subprocess *subprocess, void *context,
     murk_fds_run *run = NULL;
     murk_fds_walls walls = {0};
     murk_fds_geom geom = {0};
+    /* The run, its walls on grid lines, and its triangles. */
     murk_status status = murk_fds_run_read(&run, request->path, where, err);
     if (!status &&
         !murk_fds_walls_find(&walls, run, request->import.fds_time_s)) {

@@ -129,6 +129,7 @@ static void test_refused(void)
     static const int32_t none[] = {0, 2, 3, 4, 3, 2},
                          beyond[] = {1, 2, 5, 4, 3, 2}, surface[] = {0, 2};
     is_swapped = false;
+    /* Version, names, frames, corners and surfaces, and the end. */
     put_head(1);
     put_frame(TRIANGLES, SURFACES);
     refuses("a.ge", "version 1, must be of 2", "test: a.ge");
