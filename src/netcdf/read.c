@@ -163,6 +163,53 @@ static murk_status find_sources(const murk_netcdf_reader *r, sources *out)
     return status;
 }
 
+/* Effective radii where there is extinction [um]: the range, and sums over
+ * extinction times the length, area or volume that a value stands for. */
+typedef struct radii_found {
+    double minimum, maximum;
+    double weight,
+        weighted; /* sums of the weight, and of weight times radius */
+} radii_found;
+
+/* Half the distance between the neighbours of coordinate i, or the length of
+ * its cell: the share of the axis that a value stands for. */
+static double share_of(const murk_field_block *block, int axis, size_t i)
+{
+    const double *edge = block->edge[axis];
+    const size_t cells = block->cells[axis];
+    if (!block->has_nodes) {
+        return edge[i + 1] - edge[i];
+    }
+    return 0.5 * (edge[i < cells ? i + 1 : i] - edge[i > 0 ? i - 1 : i]);
+}
+
+/* Adds the radii of a frame of this weight. value[n] are extinctions. */
+static void add_radii(radii_found *found, const murk_field_block *block,
+                      const double *value, const double *radius, double factor,
+                      double weight)
+{
+    const size_t more = block->has_nodes ? 1 : 0;
+    const size_t nx = block->cells[0] + more, ny = block->cells[1] + more,
+                 nz = block->cells[2] + more;
+    for (size_t k = 0; k < nz; ++k) {
+        for (size_t j = 0; j < ny; ++j) {
+            const double share =
+                weight * share_of(block, 2, k) * share_of(block, 1, j);
+            for (size_t i = 0; i < nx; ++i) {
+                const size_t at = (k * ny + j) * nx + i;
+                if (value[at] > 0) {
+                    const double um = factor * radius[at];
+                    const double w = share * share_of(block, 0, i) * value[at];
+                    found->minimum = fmin(found->minimum, um);
+                    found->maximum = fmax(found->maximum, um);
+                    found->weight += w;
+                    found->weighted += w * um;
+                }
+            }
+        }
+    }
+}
+
 /* Replaces the first source, value[n], by extinction coefficients. radius[n] is
  * NULL without a variable of the radius. */
 static murk_status convert(murk_netcdf_reader *r, const sources *from,
@@ -199,9 +246,12 @@ static murk_status convert(murk_netcdf_reader *r, const sources *from,
     return MURK_OK;
 }
 
-/* The extinction coefficients of a frame. */
+/* The extinction coefficients of a frame, whose radii are added to *found with
+ * this weight. */
 static murk_status read_extinction(murk_netcdf_reader *r, const sources *from,
-                                   size_t frame, double *value, size_t n)
+                                   size_t frame, double *value, size_t n,
+                                   const murk_field_block *block, double weight,
+                                   radii_found *found)
 {
     double *radius = from->radius >= 0 ? malloc(n * sizeof *radius) : NULL;
     murk_status status =
@@ -213,6 +263,9 @@ static murk_status read_extinction(murk_netcdf_reader *r, const sources *from,
     }
     if (!status) {
         status = convert(r, from, value, radius, n);
+    }
+    if (!status && radius) {
+        add_radii(found, block, value, radius, from->radius_factor, weight);
     }
     free(radius);
     return status;
@@ -259,6 +312,25 @@ static murk_status choose_frames(const murk_netcdf_reader *r, size_t frame[2],
     return MURK_OK;
 }
 
+/* Writes how the values were obtained: law, time and effective radii. */
+static void describe(char *out, size_t size, const murk_netcdf_reader *r,
+                     size_t frame, bool is_between, const radii_found *found)
+{
+    int n = snprintf(out, size, "%s",
+                     r->request->asked.variable ? "a factor" : "3 L / (2 r)");
+    if (found->weight > 0) {
+        n += snprintf(out + n, size - (size_t)n,
+                      ", r %.3g..%.3g um, by extinction %.4g um in the mean",
+                      found->minimum, found->maximum,
+                      found->weighted / found->weight);
+    }
+    if (r->axis[MURK_NETCDF_TIME].at) {
+        snprintf(out + n, size - (size_t)n, "; %s %zu of %zu",
+                 is_between ? "between two times from" : "time", frame + 1,
+                 r->axis[MURK_NETCDF_TIME].n);
+    }
+}
+
 static murk_status read_values(murk_netcdf_reader *r, const sources *from,
                                murk_field_block *block, murk_field_head *head)
 {
@@ -266,6 +338,7 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
                      r->axis[MURK_NETCDF_Z].n;
     size_t frame[2];
     double weight;
+    radii_found found = {.minimum = INFINITY};
     murk_status status = choose_frames(r, frame, &weight);
     double *value = malloc(n * sizeof *value);
     double *later = weight > 0 ? malloc(n * sizeof *later) : NULL;
@@ -274,10 +347,12 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
         status = murk_no_memory(r->err, r->request->where, "for a field");
     }
     if (!status) {
-        status = read_extinction(r, from, frame[0], value, n);
+        status = read_extinction(r, from, frame[0], value, n, block, 1 - weight,
+                                 &found);
     }
     if (!status && later) {
-        status = read_extinction(r, from, frame[1], later, n);
+        status =
+            read_extinction(r, from, frame[1], later, n, block, weight, &found);
     }
     for (size_t i = 0; i < n && !status; ++i) {
         block->value[i] =
@@ -290,15 +365,7 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
     char name[NC_MAX_NAME + 1] = "";
     nc_inq_varname(r->file, from->first, name);
     snprintf(head->name, sizeof head->name, "%.100s", name);
-    if (r->axis[MURK_NETCDF_TIME].at) {
-        snprintf(head->note, sizeof head->note, "%.60s; %s %zu of %zu",
-                 r->request->asked.variable ? "a factor" : "3 L / (2 r)",
-                 weight > 0 ? "between two times from" : "time", frame[0] + 1,
-                 r->axis[MURK_NETCDF_TIME].n);
-    } else {
-        snprintf(head->note, sizeof head->note, "%s",
-                 r->request->asked.variable ? "a factor" : "3 L / (2 r)");
-    }
+    describe(head->note, sizeof head->note, r, frame[0], weight > 0, &found);
     if (r->missing > 0) {
         snprintf(head->warning, sizeof head->warning,
                  "%zu values are missing in the file and count as 0",

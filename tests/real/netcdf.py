@@ -2,7 +2,8 @@
 """The reader of NetCDF files: optical depths of columns against values read by
 another reader (../shared/data/frontier/netcdf), and files written here with
 packed values, missing values, falling and exchanged axes, kilometres, bounds of
-cells and several times, against sums made here. Standard library only.
+cells and several times, against sums made here; effective radii as murk check
+tells them. Standard library only.
 usage: netcdf.py MURK
 """
 
@@ -252,12 +253,44 @@ def compare_own(folder):
         check(isinstance(got, str) and got.count("\n") == 1 and "cut.nc" in got, f"cut at {part}: {got}")
 
 
+def compare_radii(folder):
+    """murk check tells range and mean of the effective radii, by extinction and volume, where there is cloud."""
+    def radius(i, j, k, frame):
+        return (5 + i + 2 * j + 0.5 * k + frame) * 1e-6
+    plain = {
+        "x": (["x"], "d", {"units": "m"}, X), "y": (["y"], "d", {"units": "km"}, Y),
+        "z": (["z"], "d", {"units": "m", "axis": "Z"}, Z),
+        "time": (["time"], "d", {"units": "seconds since 2000-01-01"}, [0, 60, 180])}
+    order = [(i, j, k, t) for t in range(3) for k in range(4) for j in range(2) for i in range(3)]
+    for name, unit, law in (("lwc", "g m-3", water), ("reff", "m", radius)):
+        plain[name] = (["time", "z", "y", "x"], "d", {"units": unit}, [law(*place) for place in order])
+    write_classic(folder / "radii.nc", {"time": 0, "x": 3, "y": 2, "z": 4}, plain)
+    lengths = {"nearest": ([100, 125, 150], [300, 300], [200, 150, 350, 600]),
+               "linear": ([50, 125, 75], [150, 150], [100, 150, 350, 300])}
+    for rule, (x, y, z) in lengths.items():
+        for time_s, parts in ((0, {0: 1}), (15, {0: .75, 1: .25}), (180, {2: 1})):
+            sums, radii = [0, 0], []
+            for i, j, k, t in order:
+                um = 1e6 * radius(i, j, k, t)
+                if t in parts and water(i, j, k, t) > 0:
+                    weight = parts[t] * 1.5 * water(i, j, k, t) / um * x[i] * y[j] * z[k]
+                    sums = [sums[0] + weight, sums[1] + weight * um]
+                    radii.append(um)
+            scene = folder / "radii.yaml"
+            scene.write_text(SCENE % (f"albedo: 1, netcdf: {folder / 'radii.nc'}, liquid_water: lwc, effective_radius: reff, "
+                                      f"time_s: {time_s}, interpolation: {rule}"))
+            said = " ".join(subprocess.run([murk, "check", scene], text=True, capture_output=True).stdout.split())
+            want = f"r {min(radii):.3g}..{max(radii):.3g} um, by extinction {sums[1] / sums[0]:.4g} um in the mean"
+            check(want in said, f"{rule} at {time_s} s: {want} not in {said}")
+
+
 if not (murk.parent / "libmurk0" / "murk-netcdf").exists():
     print("skipped: this build has no murk-netcdf")
     sys.exit(77)
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
     compare_own(folder)
+    compare_radii(folder)
     if DATA.is_dir():
         compare_reference(folder, "rico32x37x26_reference.csv", "rico32x37x26.nc")
         compare_reference(folder, "rico32x37x26_3frames_reference.csv", "rico32x37x26_3frames_classic.nc")
