@@ -24,8 +24,9 @@ How a chapter is written (Markdown; all of it reads well without this program):
   P/100 and P), counts of photons by SIGMAS of their square root more, and another
   plan may be chosen: in the table of sensors and after the word "sensor" numbers
   are not compared, nor after "chi2" and "chance", of which the verdict is compared. Other whole numbers below 1000 are compared exactly.
-* `<!-- needs: PATH ... -->`: without one of these files, or a Python module written
-  as python:NAME, the chapter is skipped.
+* `<!-- needs: PATH ... -->`: without one of these files, a Python module written as
+  python:NAME or a program of the library written as program:NAME, the chapter is
+  skipped.
 * `<!-- given: N ... -->`: numbers of the text that no block of the chapter shows,
   because they are definitions, or are reckoned from those shown.
 * `![TEXT](NAME.png)`, and in the next line of text the command that makes it, in
@@ -399,7 +400,7 @@ def check_pictures(chapter):
     return failures
 
 
-def missing(chapter):
+def missing(chapter, murk):
     for need in chapter.needs:
         kind, _, name = need.partition(":")
         if kind == "python" and not os.path.exists("/usr/bin/python3"):
@@ -408,6 +409,9 @@ def missing(chapter):
             asked = subprocess.run(["/usr/bin/python3", "-c", f"import {name}"], stderr=subprocess.DEVNULL, check=False)
             if asked.returncode != 0:
                 return f"Debian's Python has no module {name}"
+        elif kind == "program":
+            if not list(pathlib.Path(murk).resolve().parent.glob(f"libmurk*/{name}")):
+                return f"this build has no {name}"
         elif not os.path.exists(need):
             return f"there is no {need}"
     return None
@@ -416,7 +420,7 @@ def missing(chapter):
 def check(murk, library, path, seed=None):
     """The failures of a chapter, or None if it is skipped."""
     chapter = Chapter(path)
-    lacking = missing(chapter)
+    lacking = missing(chapter, murk)
     if lacking:
         print(f"skipped: {lacking}")
         return None
