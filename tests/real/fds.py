@@ -15,19 +15,12 @@ import sys
 import tempfile
 import zipfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from sightlines import check, finish, predicted  # noqa: E402
+
 DATA = pathlib.Path("../shared/data/frontier/fds")
 
 values, murk = (pathlib.Path(name).resolve() for name in sys.argv[1:3])
-failures = checks = 0
-
-
-def check(holds, text):
-    global failures, checks
-    checks += 1
-    if not holds:
-        failures += 1
-        if failures < 20:
-            print("not so:", text)
 
 
 def single(text):
@@ -74,16 +67,9 @@ lights:
 
 def readings(folder, lines, time_s, mesh="all", unit="optical_depth"):
     """Transmittance along lines (six coordinates each), in a unit."""
-    scene, data, out = (folder / name for name in ("scene.yaml", "lines.csv", "out"))
-    scene.write_text(SCENE % (folder / "hfg_slice.smv", time_s, mesh))
-    with open(data, "w") as to:
-        print("kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error", file=to)
-        for line in lines:
-            print("transmittance," + ",".join(repr(x) for x in line) + f",{unit},.5,.1", file=to)
-    done = subprocess.run([murk, "fit", scene, "--data", data, "-o", out, "--force", "--quiet"])
-    check(done.returncode == 0, "lines are predicted")
-    with open(out / "fit.csv") as table:
-        return [float(row["predicted"]) for row in csv.DictReader(table)]
+    got = predicted(murk, folder, SCENE % (folder / "hfg_slice.smv", time_s, mesh), lines, unit)
+    check(not isinstance(got, str), got)
+    return got
 
 
 def compare_depths(folder):
@@ -184,5 +170,4 @@ with tempfile.TemporaryDirectory() as name:
     count, largest = compare_depths(folder)
     check(count > 10, "there are lines")
     compare_joined(folder)
-print(f"{checks} checks, {failures} not so; optical depths within {largest:.2g}")
-sys.exit(failures > 0)
+sys.exit(finish(f"; optical depths within {largest:.2g}"))

@@ -14,23 +14,14 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests/support")]
 from netcdf_file import write_classic  # noqa: E402
+from sightlines import check, finish, predicted  # noqa: E402
 
 DATA = pathlib.Path("../shared/data/frontier/netcdf")
 
 murk = pathlib.Path(sys.argv[1]).resolve()
-failures = checks = 0
-
-
-def check(holds, text):
-    global failures, checks
-    checks += 1
-    if not holds:
-        failures += 1
-        if failures < 20:
-            print("not so:", text)
-
 
 SCENE = """murk: 1
 bands_nm: [550]
@@ -46,18 +37,8 @@ lights:
 
 def depths(folder, keys, lines):
     """Optical depths along lines (six coordinates each), or the error."""
-    scene, data, out = (folder / name for name in ("scene.yaml", "lines.csv", "out"))
-    scene.write_text(SCENE % keys)
-    with open(data, "w") as to:
-        print("kind,x_m,y_m,z_m,x2_m,y2_m,z2_m,unit,value,standard_error", file=to)
-        for line in lines:
-            print("transmittance," + ",".join(repr(x) for x in line) + ",fraction,.5,.1", file=to)
-    done = subprocess.run([murk, "fit", scene, "--data", data, "-o", out, "--force", "--quiet"],
-                          text=True, stderr=subprocess.PIPE)
-    if done.returncode != 0:
-        return done.stderr
-    with open(out / "fit.csv") as table:
-        return [-math.log(float(row["predicted"])) for row in csv.DictReader(table)]
+    got = predicted(murk, folder, SCENE % keys, lines, "fraction")
+    return got if isinstance(got, str) else [-math.log(value) for value in got]
 
 
 # ---- the reference ----
@@ -231,5 +212,4 @@ with tempfile.TemporaryDirectory() as name:
         compare_reference(folder, "rico32x37x26_3frames_reference.csv", "rico32x37x26_3frames_classic.nc")
     else:
         print(f"without {DATA}, which is not there")
-print(f"{checks} checks, {failures} not so")
-sys.exit(failures > 0)
+sys.exit(finish())
