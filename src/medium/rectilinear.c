@@ -131,6 +131,12 @@ static bool have_overlap(const murk_rectilinear *field)
     return found;
 }
 
+static const murk_box *box_of_block(const void *context, size_t i)
+{
+    const murk_rectilinear *field = context;
+    return &field->block[i].box;
+}
+
 murk_status murk_rectilinear_open(murk_rectilinear *out,
                                   const unsigned char *bytes, size_t size,
                                   const char *where, murk_error *err)
@@ -164,12 +170,17 @@ murk_status murk_rectilinear_open(murk_rectilinear *out,
         murk_rectilinear_close(&field);
         return malformed(where, err);
     }
+    if (!murk_block_tree_build(&field.tree, field.n, box_of_block, &field)) {
+        murk_rectilinear_close(&field);
+        return murk_no_memory(err, where, "for a tree of blocks");
+    }
     *out = field;
     return MURK_OK;
 }
 
 void murk_rectilinear_close(murk_rectilinear *field)
 {
+    murk_block_tree_release(&field->tree);
     free(field->block);
     *field = (murk_rectilinear){0};
 }
@@ -208,6 +219,32 @@ static double value_at(const murk_rectilinear_block *b, const double p[3])
     return on_face[0] + share[2] * (on_face[1] - on_face[0]);
 }
 
+/* The block that holds a point, of several the first; field->n: none. */
+static size_t block_at(const murk_rectilinear *field, murk_vec3 p)
+{
+    const murk_block_tree *tree = &field->tree;
+    uint32_t waiting[MURK_BLOCK_STACK] = {0};
+    size_t found = field->n;
+    for (int n = 1; n > 0;) {
+        const murk_block_node *node = &tree->node[waiting[--n]];
+        if (!murk_box_holds(&node->box, p)) {
+            continue;
+        }
+        for (uint32_t i = 0; i < node->n; ++i) {
+            const size_t number = tree->order[node->first + i];
+            if (number < found &&
+                murk_box_holds(&field->block[number].box, p)) {
+                found = number;
+            }
+        }
+        if (node->n == 0) {
+            waiting[n++] = node->first + 1;
+            waiting[n++] = node->first;
+        }
+    }
+    return found;
+}
+
 bool murk_rectilinear_density(const murk_rectilinear *field, murk_vec3 p,
                               double *density)
 {
@@ -215,13 +252,8 @@ bool murk_rectilinear_density(const murk_rectilinear *field, murk_vec3 p,
         return false;
     }
     const double at[3] = {p.x, p.y, p.z};
-    *density = 0;
-    for (size_t i = 0; i < field->n; ++i) {
-        if (murk_box_holds(&field->block[i].box, p)) {
-            *density = value_at(&field->block[i], at);
-            break;
-        }
-    }
+    const size_t number = block_at(field, p);
+    *density = number < field->n ? value_at(&field->block[number], at) : 0;
     return true;
 }
 

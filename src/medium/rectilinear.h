@@ -20,6 +20,7 @@
 #include "base/field_blocks.h"
 #include "base/status.h"
 #include "base/vector.h"
+#include "medium/block_tree.h"
 #include "medium/cubic.h"
 
 #include <stdbool.h>
@@ -41,9 +42,10 @@ typedef struct murk_rectilinear_block {
 typedef struct murk_rectilinear {
     size_t n; /* 1 or more */
     murk_rectilinear_block *block;
-    murk_box box;       /* of all blocks */
-    uint64_t n_values;  /* of all blocks */
-    double smallest[3]; /* the smallest cell along each axis, of all blocks */
+    murk_block_tree tree; /* over the blocks */
+    murk_box box;         /* of all blocks */
+    uint64_t n_values;    /* of all blocks */
+    double smallest[3];   /* the smallest cell along each axis, of all blocks */
     double minimum, maximum, sum; /* of all values */
 } murk_rectilinear;
 

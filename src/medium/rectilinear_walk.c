@@ -17,25 +17,77 @@ static murk_vec3 vector_of(const double v[3])
     return murk_vec(v[0], v[1], v[2]);
 }
 
+/* A search for the block that the ray enters next: the one of the smallest
+ * parameter `at`, and of the lowest number where that is the same. */
+typedef struct search {
+    const walk_state *m;
+    murk_vec3 origin, direction;
+    size_t number; /* field->n: none so far */
+    double at;
+} search;
+
+static void look_at_block(search *s, size_t i)
+{
+    const walk_state *m = s->m;
+    double t0 = -INFINITY, t1 = m->end;
+    murk_clip_box(&m->field->block[i].box, s->origin, s->direction, &t0, &t1);
+    const bool is_later = m->latest == m->field->n || t0 > m->entered ||
+                          (t0 == m->entered && i > m->latest);
+    const bool is_first = t0 < s->at || (t0 == s->at && i < s->number);
+    if (t0 < t1 && t1 > m->from && is_later && is_first) {
+        s->number = i;
+        s->at = t0;
+    }
+}
+
+/* The parameter at which the ray enters a node; infinite if no block of the
+ * node can be the next one. */
+static double entry_of_node(const search *s, const murk_block_node *node)
+{
+    double t0 = -INFINITY, t1 = s->m->end;
+    murk_clip_box(&node->box, s->origin, s->direction, &t0, &t1);
+    return t0 >= t1 || t1 <= s->m->from || t0 > s->at ? INFINITY : t0;
+}
+
 /* Finds the block that the ray enters next: *number is field->n if there is
  * none, and *at the ray parameter at which the ray enters it. */
 static void find_next_block(const walk_state *m, size_t *number, double *at)
 {
-    const murk_rectilinear *field = m->field;
-    const murk_vec3 origin = vector_of(m->origin);
-    const murk_vec3 direction = vector_of(m->direction);
-    *number = field->n;
-    *at = INFINITY;
-    for (size_t i = 0; i < field->n; ++i) {
-        double t0 = -INFINITY, t1 = m->end;
-        murk_clip_box(&field->block[i].box, origin, direction, &t0, &t1);
-        const bool is_later = m->latest == field->n || t0 > m->entered ||
-                              (t0 == m->entered && i > m->latest);
-        if (t0 < t1 && t1 > m->from && is_later && t0 < *at) {
-            *number = i;
-            *at = t0;
+    const murk_block_tree *tree = &m->field->tree;
+    search s = {.m = m,
+                .origin = vector_of(m->origin),
+                .direction = vector_of(m->direction),
+                .number = m->field->n,
+                .at = INFINITY};
+    uint32_t waiting[MURK_BLOCK_STACK] = {0};
+    double entry[MURK_BLOCK_STACK] = {-INFINITY};
+    for (int n = 1; n > 0;) {
+        const murk_block_node *node = &tree->node[waiting[--n]];
+        /* The best block so far may be nearer by now. */
+        if (entry[n] > s.at) {
+            continue;
+        }
+        for (uint32_t i = 0; i < node->n; ++i) {
+            look_at_block(&s, tree->order[node->first + i]);
+        }
+        if (node->n > 0) {
+            continue;
+        }
+        /* The nearer node comes last, so that it is looked at first. */
+        const double low = entry_of_node(&s, &tree->node[node->first]);
+        const double high = entry_of_node(&s, &tree->node[node->first + 1]);
+        const uint32_t nearer = low <= high ? 0 : 1;
+        if (fmax(low, high) < INFINITY) {
+            entry[n] = fmax(low, high);
+            waiting[n++] = node->first + 1 - nearer;
+        }
+        if (fmin(low, high) < INFINITY) {
+            entry[n] = fmin(low, high);
+            waiting[n++] = node->first + nearer;
         }
     }
+    *number = s.number;
+    *at = s.at;
 }
 
 /* Sets `to` to the face ahead by which the ray leaves the cell, at most to the

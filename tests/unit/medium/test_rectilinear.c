@@ -5,6 +5,7 @@
  * point comes from a search of its own. Deterministic. */
 #include "base/rng.h"
 #include "check.h"
+#include "medium/clip.h"
 #include "medium/grid_internal.h"
 #include "medium/media.h"
 #include "medium/rectilinear.h"
@@ -337,6 +338,113 @@ static void test_refused(void)
     CHECK(grid == NULL);
 }
 
+/* ---- many blocks ---- */
+
+/* Blocks of one cell each, in columns and layers with gaps between some, in an
+ * order without a pattern. */
+#define SIDE  7
+#define MANY  (SIDE * SIDE * 3)
+#define WALKS 3000
+
+static murk_rectilinear many;
+static unsigned char many_bytes[8 + MANY * (sizeof(murk_field_size) + 52)];
+
+static void make_many(void)
+{
+    unsigned char *to = many_bytes;
+    const uint64_t n = MANY;
+    const murk_field_size size = {.cells = {1, 1, 1}};
+    memcpy(to, &n, sizeof n);
+    to += sizeof n;
+    for (int b = 0; b < MANY; ++b, to += sizeof size) {
+        memcpy(to, &size, sizeof size);
+    }
+    for (int b = 0; b < MANY; ++b) {
+        const int place = b * 64 % MANY; /* no common divisor */
+        const int at[3] = {place % SIDE, place / SIDE % SIDE,
+                           place / SIDE / SIDE};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double edge[2] = {at[axis], at[axis] + (place % 5 ? 1 : .75)};
+            memcpy(to, edge, sizeof edge);
+            to += sizeof edge;
+        }
+    }
+    for (int b = 0; b < MANY; ++b, to += sizeof(float)) {
+        const float value = (float)(1 + b);
+        memcpy(to, &value, sizeof value);
+    }
+    murk_error err = {0};
+    CHECK(murk_rectilinear_open(&many, many_bytes, (size_t)(to - many_bytes),
+                                "many", &err) == MURK_OK);
+}
+
+/* The block that a walk enters next, by a scan of all blocks in their order. */
+static size_t plain_next(const murk_rectilinear_walk *walk, double *at)
+{
+    const murk_vec3 o = {walk->origin[0], walk->origin[1], walk->origin[2]},
+                    d = {walk->direction[0], walk->direction[1],
+                         walk->direction[2]};
+    size_t number = many.n;
+    *at = INFINITY;
+    for (size_t i = 0; i < many.n; ++i) {
+        double t0 = -INFINITY, t1 = walk->end;
+        murk_clip_box(&many.block[i].box, o, d, &t0, &t1);
+        const bool is_later = walk->latest == many.n || t0 > walk->entered ||
+                              (t0 == walk->entered && i > walk->latest);
+        if (t0 < t1 && t1 > walk->from && is_later && t0 < *at) {
+            number = i;
+            *at = t0;
+        }
+    }
+    return number;
+}
+
+/* Each block is entered as a scan of all blocks tells, with the same bits, also
+ * by rays along edges and faces. */
+static void test_many_blocks(void)
+{
+    make_many();
+    size_t entered = 0, wrong = 0;
+    for (uint32_t i = 0; i < WALKS; ++i) {
+        murk_vec3 o = {SIDE * draw(31, i, 0), SIDE * draw(31, i, 1),
+                       3 * draw(31, i, 2)};
+        murk_vec3 d = {2 * draw(31, i, 3) - 1, 2 * draw(31, i, 4) - 1,
+                       2 * draw(31, i, 5) - 1};
+        if (i % 4 == 1) { /* from corners, along diagonals and axes */
+            o = murk_vec(floor(o.x), floor(o.y), floor(o.z));
+            d = murk_vec(d.x > 0 ? 1 : 0, d.y > 0 ? 1 : -1, i % 8 > 4 ? 1 : 0);
+        }
+        murk_rectilinear_walk walk;
+        murk_rectilinear_begin(&walk, &many, o, murk_unit(d), 0, 20);
+        for (size_t steps = 0; steps < 20 * MANY; ++steps) {
+            murk_rectilinear_walk before = walk;
+            before.from = before.to;
+            if (!murk_rectilinear_next(&walk)) {
+                break;
+            }
+            if (walk.latest != before.latest) {
+                double at;
+                const size_t number = plain_next(&before, &at);
+                wrong += number != walk.latest ||
+                         memcmp(&at, &walk.entered, sizeof at) != 0;
+                entered += number < many.n;
+            }
+        }
+        /* A point, and the first block that holds it. */
+        double density = -1;
+        const murk_vec3 p = murk_along(o, 2, d);
+        size_t first = 0;
+        while (first < many.n && !murk_box_holds(&many.block[first].box, p)) {
+            ++first;
+        }
+        if (murk_rectilinear_density(&many, p, &density)) {
+            wrong += density != (first < many.n ? (double)(first + 1) : 0);
+        }
+    }
+    CHECK(entered > 3 * WALKS && wrong == 0);
+    murk_rectilinear_close(&many);
+}
+
 int main(void)
 {
     test_rays(true, 1);
@@ -344,5 +452,6 @@ int main(void)
     test_faces();
     test_changes();
     test_refused();
+    test_many_blocks();
     return check_done();
 }
