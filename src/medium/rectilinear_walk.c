@@ -26,7 +26,7 @@ typedef struct search {
     double at;
 } search;
 
-static void look_at_block(search *s, size_t i)
+static void test_block(search *s, size_t i)
 {
     const walk_state *m = s->m;
     double t0 = -INFINITY, t1 = m->end;
@@ -68,7 +68,7 @@ static void find_next_block(const walk_state *m, size_t *number, double *at)
             continue;
         }
         for (uint32_t i = 0; i < node->n; ++i) {
-            look_at_block(&s, tree->order[node->first + i]);
+            test_block(&s, tree->order[node->first + i]);
         }
         if (node->n > 0) {
             continue;
