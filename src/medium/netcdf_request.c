@@ -10,6 +10,11 @@ void murk_netcdf_pack(murk_parcel *to, const void *context)
     murk_parcel_put_text(to, r->asked.effective_radius);
     murk_parcel_put_text(to, r->asked.variable);
     murk_parcel_put(to, &r->asked, sizeof r->asked);
+    if (r->asked.law.n > 0) {
+        const size_t bytes = r->asked.law.n * sizeof *r->asked.law.value;
+        murk_parcel_put(to, r->asked.law.value, bytes);
+        murk_parcel_put(to, r->asked.law.density, bytes);
+    }
 }
 
 murk_status murk_netcdf_unpack(murk_netcdf_request *out, murk_parcel *from,
@@ -25,6 +30,15 @@ murk_status murk_netcdf_unpack(murk_netcdf_request *out, murk_parcel *from,
         return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
     }
     r.asked = *asked;
+    /* The points of a law follow the struct. */
+    if (asked->law.n > 0) {
+        const size_t bytes = asked->law.n * sizeof *asked->law.value;
+        r.asked.law.value = murk_parcel_take(from, bytes);
+        r.asked.law.density = murk_parcel_take(from, bytes);
+        if (from->is_short) {
+            return murk_fail(err, MURK_RUN_FAILED, "", "malformed request");
+        }
+    }
     r.asked.liquid_water = liquid_water;
     r.asked.effective_radius = effective_radius;
     r.asked.variable = variable;

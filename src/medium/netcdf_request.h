@@ -9,6 +9,14 @@
 #include "base/subprocess.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+
+/* A law by which a density follows from a variable: linear between points of
+ * rising values, constant beyond them; n 0: no law. */
+typedef struct murk_netcdf_law {
+    size_t n;
+    const double *value, *density; /* [n] borrowed */
+} murk_netcdf_law;
 
 /* Names are NULL where the user gave none. */
 typedef struct murk_netcdf_asked {
@@ -18,7 +26,8 @@ typedef struct murk_netcdf_asked {
                                  * times per_unit; liquid_water and
                                  * effective_radius are not used */
     double effective_radius_um; /* everywhere; 0: the variable */
-    double per_unit;            /* [1/m] */
+    double per_unit;            /* [1/m]; with a law the factor before it */
+    murk_netcdf_law law;        /* of `variable` */
     double time_s;              /* after the first time of the file */
     bool is_linear;             /* values belong to nodes, else to cells */
 } murk_netcdf_asked;

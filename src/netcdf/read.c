@@ -210,6 +210,28 @@ static void add_radii(radii_found *found, const murk_field_block *block,
     }
 }
 
+/* The density by a law. */
+static double by_law(murk_netcdf_reader *r, const murk_netcdf_law *law,
+                     double value)
+{
+    size_t low = 0, high = law->n - 1;
+    if (value < law->value[0] || value > law->value[high]) {
+        ++r->beyond;
+        return law->density[value < law->value[0] ? 0 : high];
+    }
+    while (high - low > 1) {
+        const size_t middle = (low + high) / 2;
+        if (value < law->value[middle]) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    const double u =
+        (value - law->value[low]) / (law->value[high] - law->value[low]);
+    return (1 - u) * law->density[low] + u * law->density[high];
+}
+
 /* Replaces the first source, value[n], by extinction coefficients. radius[n] is
  * NULL without a variable of the radius. */
 static murk_status convert(murk_netcdf_reader *r, const sources *from,
@@ -241,7 +263,7 @@ static murk_status convert(murk_netcdf_reader *r, const sources *from,
                              "or more",
                              i, k);
         }
-        value[i] = k;
+        value[i] = asked->law.n > 0 ? by_law(r, &asked->law, k) : k;
     }
     return MURK_OK;
 }
@@ -317,7 +339,9 @@ static void describe(char *out, size_t size, const murk_netcdf_reader *r,
                      size_t frame, bool is_between, const radii_found *found)
 {
     int n = snprintf(out, size, "%s",
-                     r->request->asked.variable ? "a factor" : "3 L / (2 r)");
+                     r->request->asked.law.n > 0  ? "a word of the preset"
+                     : r->request->asked.variable ? "a factor"
+                                                  : "3 L / (2 r)");
     if (found->weight > 0) {
         n += snprintf(out + n, size - (size_t)n,
                       ", r %.3g..%.3g um, by extinction %.4g um in the mean",
@@ -370,6 +394,12 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
         snprintf(head->warning, sizeof head->warning,
                  "%zu values are missing in the file and count as 0",
                  r->missing);
+    }
+    if (r->beyond > 0) {
+        const size_t length = strlen(head->warning);
+        snprintf(head->warning + length, sizeof head->warning - length,
+                 "%s%zu values beyond the range of the word count as its end",
+                 length > 0 ? "; " : "", r->beyond);
     }
     return status;
 }

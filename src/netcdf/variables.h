@@ -32,6 +32,7 @@ typedef struct murk_netcdf_reader {
     murk_error *err;
     murk_netcdf_axis axis[MURK_NETCDF_AXES]; /* murk_netcdf_release_axes() */
     size_t missing; /* values that are missing in the file */
+    size_t beyond;  /* values beyond the range of a law */
 } murk_netcdf_reader;
 
 /* A row of a table of units; the last row has the name NULL. */

@@ -137,7 +137,7 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage)
         /* Coefficients: a profile, a spectrum or grids. */
         if (m->profile_z_m.n > 0) {
             add_profile(item, m, scene->origin.z, scene->bands);
-        } else if (!m->fds && !m->netcdf) {
+        } else if (!murk_scene_states_extinction(m)) {
             murk_json_numbers(item, "extinction_per_m",
                               m->extinction_per_m.band, scene->bands);
         }
@@ -235,7 +235,11 @@ static void print_medium(const murk_stage *stage, size_t medium)
             m->profile_z_m.value[0] + scene->origin.z,
             m->profile_z_m.value[m->profile_z_m.n - 1] + scene->origin.z,
             profile_maximum(m).band[0]);
-    } else if (m->fds || m->netcdf) {
+    } else if (m->netcdf && m->by_word) {
+        murk_print("medium      %s: extinction %.6g /m times the density of %s",
+                   m->name, m->extinction_per_m.band[0],
+                   murk_path_name(m->netcdf));
+    } else if (murk_scene_states_extinction(m)) {
         murk_print("medium      %s: extinction of %s", m->name,
                    murk_path_name(m->fds ? m->fds : m->netcdf));
     } else {
@@ -254,7 +258,7 @@ static void print_medium(const murk_stage *stage, size_t medium)
     if (facts && facts->blocks > 0) {
         murk_print(
             "; %s: %llu values %s %zu %s%s, cells from %.4g m, "
-            "extinction %.4g..%.4g /m; %s",
+            "%s %.4g..%.4g%s; %s",
             facts->name, (unsigned long long)facts->active,
             facts->has_nodes ? "at nodes of" : "of cells of", facts->blocks,
             m->fds ? "mesh" : "block",
@@ -262,7 +266,8 @@ static void print_medium(const murk_stage *stage, size_t medium)
             : m->fds           ? "es"
                                : "s",
             fmin(fmin(facts->voxel_m[0], facts->voxel_m[1]), facts->voxel_m[2]),
-            facts->minimum, facts->maximum, facts->note);
+            m->by_word ? "density" : "extinction", facts->minimum,
+            facts->maximum, m->by_word ? "" : " /m", facts->note);
     } else if (facts) {
         murk_print("; %sgrid %s: %llu voxels of %.4g m, density %.4g..%.4g",
                    m->is_linear ? "linear " : "", facts->name,

@@ -233,6 +233,19 @@ const murk_word murk_phase_words[] = {
 #define AMOUNT     .max = 1e9
 #define EXTINCTION .max = 1e9, .unit = "1/m", MEDIUM(extinction_per_m)
 
+/* The words that a variable of a file may be the amount of. */
+static const murk_word AMOUNT_WORDS[] = {
+    {"chlorophyll_mg_per_m3", MURK_WORD_CHLOROPHYLL},
+    {"sediment_g_per_m3", MURK_WORD_SEDIMENT},
+    {"cdom_per_m", MURK_WORD_CDOM},
+    {"soot_g_per_m3", MURK_WORD_SOOT},
+    {"rain_mm_per_h", MURK_WORD_RAIN},
+    {"liquid_water_g_per_m3", MURK_WORD_LIQUID_WATER},
+    {"droplets_per_cm3", MURK_WORD_DROPLETS},
+    {"temperature_c", MURK_WORD_TEMPERATURE},
+    {"salinity_psu", MURK_WORD_SALINITY},
+    WORDS_END};
+
 static const murk_key MEDIUM_ROWS[] = {
     ROW("preset", TEXT, .variants = PRESETS, MEDIUM(preset)),
     WORD_ROW("visibility_m", VISIBILITY, .group = 2, SIZE_M),
@@ -279,6 +292,8 @@ static const murk_key MEDIUM_ROWS[] = {
         .max = 1e6, .unit = "um", .selects_files = true,
         MEDIUM(effective_radius_um)),
     ROW("variable", TEXT, .variants = NETCDF, MEDIUM(variable)),
+    ROW("word", WORD, .variants = BIT(MEDIUM_PRESET_NETCDF),
+        .words = AMOUNT_WORDS, MEDIUM(word), FLAG(murk_scene_medium, by_word)),
     ROW("per_unit", NUMBER, .variants = NETCDF, .max = 1e9, .unit = "1/m",
         .preset = "1", .selects_files = true, MEDIUM(per_unit)),
     ROW("time_s", NUMBER, .variants = FDS, NEEDED, .min = -1e9, .max = 1e9,

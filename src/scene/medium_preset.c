@@ -4,6 +4,7 @@
 #include "scene/medium_preset.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -185,6 +186,103 @@ static void fill(murk_scene_medium *medium, const murk_yaml *map,
     }
 }
 
+/* ---- a field of a word ---- */
+
+/* Points of the law between the ends of the range of the word, by equal
+ * factors: extinctions are powers of amounts or nearly so, and 13 points a
+ * decade leave a curve within 1e-3. */
+#define PER_DECADE 13
+/* The smallest value above 0, relative to the largest: less is as good as 0. */
+#define SMALLEST 1e-6
+
+/* The mean over the bands of the extinction over that of `reference`. */
+static double relative_extinction(const murk_preset_result *result,
+                                  const murk_preset_result *reference,
+                                  int bands)
+{
+    double sum = 0;
+    for (int b = 0; b < bands; ++b) {
+        sum += result->extinction_per_m.band[b] /
+               reference->extinction_per_m.band[b];
+    }
+    return sum / bands;
+}
+
+static bool has_extinction(const murk_preset_result *reference, int bands)
+{
+    bool has = true;
+    for (int b = 0; b < bands; ++b) {
+        has = has && reference->extinction_per_m.band[b] > 0;
+    }
+    return has;
+}
+
+/* The values of the law: the least of the range, then by equal factors up to
+ * the largest. Returns the number of values. */
+static size_t choose_values(double *value, size_t max, double from, double to)
+{
+    const double first = fmax(from, SMALLEST * to);
+    const size_t steps =
+        (size_t)fmin((double)max - 2, ceil(PER_DECADE * log10(to / first)));
+    size_t n = 0;
+    if (from < first) {
+        value[n++] = from;
+    }
+    for (size_t i = 0; i <= steps; ++i) {
+        value[n++] = i == steps
+                         ? to
+                         : first * pow(to / first, (double)i / (double)steps);
+    }
+    return n;
+}
+
+/* Tabulates the density over the range of the word, relative to the extinction
+ * that the medium has with its words as they are, `reference`. */
+static murk_status make_law(murk_key_reader *walk, const murk_yaml *map,
+                            murk_scene_medium *medium,
+                            const murk_preset *preset,
+                            const murk_preset_result *reference,
+                            const murk_preset_bands *bands, const char *where)
+{
+    enum { POINTS_MAX = 128 };
+    const murk_word_id word = (murk_word_id)medium->word;
+    const murk_preset_word range = murk_preset_word_of(preset, word);
+    murk_words words = medium->words;
+    murk_status status = MURK_OK;
+    /* The law needs a variable, and something to compare with. */
+    if (!medium->variable || !range.is_known) {
+        return murk_walk_fail(walk, map,
+                              !medium->variable
+                                  ? "word: misses variable, must be the name "
+                                    "of a variable of the file"
+                                  : "word: is no word of this preset");
+    }
+    if (!has_extinction(reference, bands->n) || !(range.max[0] > 0)) {
+        return murk_walk_fail(walk, map,
+                              "word: the preset has no extinction with its "
+                              "words as they are, must have some to compare "
+                              "with");
+    }
+    medium->law.value = malloc(POINTS_MAX * sizeof *medium->law.value);
+    medium->law.density = malloc(POINTS_MAX * sizeof *medium->law.density);
+    if (!medium->law.value || !medium->law.density) {
+        return murk_walk_no_memory(walk);
+    }
+    medium->law.n = choose_values(medium->law.value, POINTS_MAX, range.min[0],
+                                  range.max[0]);
+    words.given[word] = true;
+    for (size_t i = 0; i < medium->law.n && !status; ++i) {
+        murk_preset_result result = {0};
+        words.value[word][0] = medium->law.value[i];
+        status = murk_preset_evaluate(&result, preset, &words, bands, where,
+                                      walk->err);
+        medium->law.density[i] =
+            status ? 0 : relative_extinction(&result, reference, bands->n);
+        murk_preset_result_release(&result);
+    }
+    return status;
+}
+
 murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium)
 {
@@ -209,6 +307,9 @@ murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
     if (!status) {
         status = murk_preset_evaluate(&result, preset, &medium->words, &bands,
                                       where, walk->err);
+    }
+    if (!status && medium->by_word) {
+        status = make_law(walk, map, medium, preset, &result, &bands, where);
     }
     if (!status) {
         fill(medium, map, &result, scene->bands);
@@ -268,6 +369,7 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
             put_mixture(out, phase->mixture);
         }
     }
+    put_numbers(out, medium->law.density, medium->law.n);
     fputc('\n', out);
 }
 

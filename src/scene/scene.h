@@ -141,7 +141,16 @@ typedef struct murk_scene_medium {
     char *liquid_water, *effective_radius, *variable; /* names of variables;
                                                        * NULL: not given */
     double effective_radius_um;                       /* 0: a variable */
-    double per_unit; /* extinction for one unit of `variable` [1/m] */
+    double per_unit; /* extinction for one unit of `variable` [1/m], or by_word
+                      * the factor to the unit of the word */
+    bool by_word;    /* `variable` is the amount of a word of the preset:
+                      * extinction_per_m is that of the words as they are, and
+                      * the law gives the density for each value */
+    int word;        /* murk_word_id */
+    struct {
+        size_t n;
+        double *value, *density; /* [n] */
+    } law;
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;
@@ -150,7 +159,7 @@ typedef struct murk_scene_medium {
  * extinction_per_m has no meaning. */
 static inline bool murk_scene_states_extinction(const murk_scene_medium *m)
 {
-    return m->profile_z_m.n > 0 || m->fds || m->netcdf;
+    return m->profile_z_m.n > 0 || m->fds || (m->netcdf && !m->by_word);
 }
 
 typedef struct murk_scene_region {

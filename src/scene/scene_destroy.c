@@ -58,6 +58,8 @@ void murk_scene_desc_destroy(murk_scene_desc *scene)
     /* Members that no key or a reader of its own fills. */
     murk_weather_release(&scene->weather);
     for (size_t i = 0; i < scene->n_media; ++i) {
+        free(scene->media[i].law.value);
+        free(scene->media[i].law.density);
         free(scene->media[i].vdb_frames);
         free(scene->media[i].vdb_next);
         for (size_t k = 0; k < scene->media[i].n_phases; ++k) {

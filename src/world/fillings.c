@@ -93,6 +93,7 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
             .variable = m->variable,
             .effective_radius_um = m->effective_radius_um,
             .per_unit = m->per_unit,
+            .law = {m->law.n, m->law.value, m->law.density},
             .time_s = m->time_s,
             .is_linear = m->is_linear};
         status = murk_grid_read_netcdf(&f->grid[i], m->netcdf, &asked, m->where,

@@ -8,6 +8,7 @@ usage: netcdf.py MURK
 """
 
 import csv
+import json
 import math
 import pathlib
 import subprocess
@@ -198,6 +199,38 @@ def compare_radii(folder):
             check(want in said, f"{rule} at {time_s} s: {want} not in {said}")
 
 
+def extinction_of(preset, word, value):
+    """By murk media, which evaluates the preset at that value."""
+    done = subprocess.run([murk, "media", preset, "--set", f"{word}={value}", "--set", "bands_nm=[550]", "--format", "json"],
+                          text=True, capture_output=True)
+    return json.loads(done.stdout)["bands"][0]["extinction_per_m"]
+
+
+def compare_word(folder):
+    """A variable that is the amount of a word of a preset: optical depths of a column are those of the preset at each
+    value, which the law between its points meets within 1e-3; proportional extinction would be off by tens of percent."""
+    chlorophyll = [.02, .173, .5, 2.9, 11.7]
+    write_classic(folder / "sea.nc", {"x": 2, "y": 2, "z": 5}, {
+        "x": (["x"], "d", {"units": "m"}, [5, 15]), "y": (["y"], "d", {"units": "m"}, [5, 15]),
+        "z": (["z"], "d", {"units": "m", "axis": "Z"}, [-45, -35, -25, -15, -5]),
+        "chl": (["z", "y", "x"], "d", {"units": "kg m-3"}, [c * 1e-6 for c in chlorophyll for _ in range(4)])})
+    keys = (f"preset: water/case-1, netcdf: {folder / 'sea.nc'}, variable: chl, per_unit: 1e6, "
+            "word: chlorophyll_mg_per_m3, chlorophyll_mg_per_m3: 1")
+    got = depths(folder, keys, [(5, 5, -50 + 10 * k, 5, 5, -40 + 10 * k) for k in range(5)])
+    check(not isinstance(got, str), got)
+    off = 0
+    for tau, value in zip(got, chlorophyll, strict=True):
+        want = 10 * extinction_of("water/case-1", "chlorophyll_mg_per_m3", value)
+        check(abs(tau - want) <= 1e-3 * want, f"word at {value}: {tau}, {want}")
+        off = max(off, abs(value * 10 * extinction_of("water/case-1", "chlorophyll_mg_per_m3", 1) / want - 1))
+    check(off > .3, f"a proportional law is off by {off}")
+    refused = [(keys.replace("variable: chl, ", ""), "misses variable"),
+               (keys.replace("word: chlorophyll_mg_per_m3", "word: soot_g_per_m3"), "is no word of this preset")]
+    for more, problem in refused:
+        got = depths(folder, more, [(5, 5, -50, 5, 5, 0)])
+        check(isinstance(got, str) and problem in got and got.count("\n") == 1, f"{more}: {got}")
+
+
 if not (murk.parent / "libmurk0" / "murk-netcdf").exists():
     print("skipped: this build has no murk-netcdf")
     sys.exit(77)
@@ -207,6 +240,7 @@ with tempfile.TemporaryDirectory() as name:
     check((folder / "cumulus.nc").read_bytes() == pathlib.Path("scenes/clouds/cumulus.nc").read_bytes(), "tools/make_cloud")
     compare_own(folder)
     compare_radii(folder)
+    compare_word(folder)
     if DATA.is_dir():
         compare_reference(folder, "rico32x37x26_reference.csv", "rico32x37x26.nc")
         compare_reference(folder, "rico32x37x26_3frames_reference.csv", "rico32x37x26_3frames_classic.nc")
