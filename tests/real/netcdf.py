@@ -95,7 +95,8 @@ def own_files(folder):
                  for t in range(3) for k in range(4) for j in range(2) for i in range(3)])}
     write_classic(folder / "plain.nc", {"time": 0, "x": 3, "y": 2, "z": 4}, plain)
     packed = {
-        "e": (["e"], "d", {"units": "m", "axis": "X"}, X), "n": (["n"], "d", {"units": "km", "axis": "Y"}, Y),
+        "e": (["e"], "d", {"units": "m", "axis": "X", "bounds": "e_bounds"}, X),
+        "e_bounds": (["e", "two"], "d", {}, [50, -50, 175, 50, 325, 175]), "n": (["n"], "d", {"units": "km", "axis": "Y"}, Y),
         "up": (["up"], "d", {"units": "m", "standard_name": "height", "bounds": "up_bounds"}, Z[::-1]),
         "up_bounds": (["up", "two"], "d", {}, [1300, 700, 700, 350, 350, 200, 200, 0]),
         "liquid": (["e", "n", "up"], "h", {"units": "kg m-3", "scale_factor": ("d", 1e-5), "add_offset": ("d", 0.0),

@@ -85,6 +85,31 @@ static void test_empty_hall(void)
     CHECK_NEAR(area[WALL], 2 * 16 + 4 * 32 - 8 - 16 - 16, 1e-12);
     CHECK_NEAR(area[LATER], 16, 1e-12);
     CHECK_NEAR(area[OPEN], 0, 0);
+    /* A vent whose first cells along both axes differ. */
+    write_run(" 0", " 1 0\n 0 2 3 4 0 0 3 2\n 0 2 3 4 0 0 8 -2\n", " 0", "");
+    measure(area, 0);
+    CHECK_NEAR(area[LATER], 2, 1e-12);
+}
+
+/* Far from the origin the same: each mesh is the neighbour of the other, not a
+ * mesh with outer walls. */
+static void test_far_away(void)
+{
+    static const char *const near[] = {"TRNX\n 0\n 0 0.\n 1 4.\n",
+                                       "TRNX\n 0\n 0 4.\n 1 8.\n"},
+                             *const far[] = {"TRNX\n 0\n 0 9000.\n 1 9004.\n",
+                                             "TRNX\n 0\n 0 9004.\n 1 9008.\n"};
+    double area[SURFACES];
+    for (int i = 0; i < 2; ++i) {
+        const char *const *x = i ? far : near;
+        char text[8192];
+        snprintf(text, sizeof text,
+                 "%sGRID one\n 1 4 4 0\n%s%sGRID two\n 1 4 4 0\n%s%s", HEAD,
+                 x[0], LINES, x[1], LINES);
+        write_bytes(path, text, strlen(text));
+        measure(area, 0);
+        CHECK_NEAR(area[WALL], 2 * 16 + 4 * 32, 1e-9);
+    }
 }
 
 /* A block of 2 x 2 x 2 m across both meshes, on the floor. */
@@ -158,6 +183,12 @@ static void test_unlike_meshes(void)
               " 1\n 4 4 0 4 0 3 1 4 4 4 4 4 4\n 0 0 0 4 0 3 -1 -1", "");
     measure(area, 0);
     CHECK_NEAR(area[SHEET], 12, 1e-12);
+    /* Of the plate mesh 2 lists a part alone, with another surface. */
+    write_run(" 1\n 4 4 0 4 0 3 1 4 4 4 4 4 4\n 4 4 0 4 0 3 -1 -1", " 0 0",
+              " 1\n 4 4 1 3 1 2 1 1 1 1 1 1 1\n 0 0 1 3 1 2 -1 -1", "");
+    measure(area, 0);
+    CHECK_NEAR(area[SHEET], 12 - 2, 1e-12);
+    CHECK_NEAR(area[BLOCK], 2, 1e-12);
 }
 
 /* Obstructions and vents come and go. */
@@ -216,6 +247,7 @@ int main(void)
     CHECK(file >= 0);
     close(file);
     test_empty_hall();
+    test_far_away();
     test_blocks();
     test_plates();
     test_unlike_meshes();

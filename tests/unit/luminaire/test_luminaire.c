@@ -191,6 +191,7 @@ static void test_apertures(void)
         {"2002", "1 1 2 .1", MURK_APERTURE_RECT, .6096, .3048, .03048},
         {"2002", "2 -.4 -.4 0", MURK_APERTURE_DISC, .4, 0, 0},
         {"1995", "2 -.4 0 .05", MURK_APERTURE_DISC, .4, 0, .05},
+        {"1995", "2 0 -.4 .05", MURK_APERTURE_DISC, .4, 0, .05},
         {"1995", "2 -.4 .9 0", MURK_APERTURE_DISC, .6, 0, 0},
         {"2002", "2 -.4 -.4 .7", MURK_APERTURE_DISC, .4, 0, .7},
         {"2002", "2 -.4 .9 -.4", MURK_APERTURE_RECT, .9, .4, 0},
@@ -483,6 +484,17 @@ static void check_warning(const char *path, const char *text, const char *words)
 #define FULL_TURN "1 1 1 2 3 1 2 0 0 0\n1 1 1\n0 90\n0 180 360\n100 8\n100 9\n"
 
 #define LAST_GAMMA 79 /* the line of the last gamma angle */
+#define LAST_C     72 /* and of the last C angle */
+
+/* The planes are one turn: the last one comes before 360 degrees. */
+static void test_last_plane(void)
+{
+    murk_error err;
+    murk_luminaire *lamp = parse("a.ldt", changed(LAST_C, "360"), &err);
+    CHECK(lamp == NULL);
+    CHECK_TEXT(err.where, "a.ldt:72");
+    CHECK_MENTIONS(err.text, "must end below 360");
+}
 
 static void test_warnings(void)
 {
@@ -545,6 +557,7 @@ int main(void)
     test_separators();
     test_symmetries_of_eulumdat();
     test_refusals_of_eulumdat();
+    test_last_plane();
     test_warnings();
     return check_done();
 }
