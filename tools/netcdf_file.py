@@ -20,9 +20,9 @@ def attributes(given):
             data = value.encode()
             out += text(name) + struct.pack(">ii", 2, len(data)) + data + b"\0" * (-len(data) % 4)
         else:
-            kind, number = value
-            data = struct.pack(">" + kind, number)
-            out += text(name) + struct.pack(">ii", TYPES[kind][0], 1) + data + b"\0" * (-len(data) % 4)
+            kind, *numbers = value
+            data = struct.pack(f">{len(numbers)}{kind}", *numbers)
+            out += text(name) + struct.pack(">ii", TYPES[kind][0], len(numbers)) + data + b"\0" * (-len(data) % 4)
     return out
 
 

@@ -100,7 +100,7 @@ def own_files(folder):
         "up": (["up"], "d", {"units": "m", "standard_name": "height", "bounds": "up_bounds"}, Z[::-1]),
         "up_bounds": (["up", "two"], "d", {}, [1300, 700, 700, 350, 350, 200, 200, 0]),
         "liquid": (["e", "n", "up"], "h", {"units": "kg m-3", "scale_factor": ("d", 1e-5), "add_offset": ("d", 0.0),
-                                           "missing_value": ("h", -1)},
+                                           "missing_value": ("h", -1), "valid_range": ("h", 0, 32000)},
                    [-1 if (i, j, k) == (2, 1, 3) else round(100 * water(i, j, k, 0))
                     for i in range(3) for j in range(2) for k in (3, 2, 1, 0)])}
     write_classic(folder / "packed.nc", {"e": 3, "n": 2, "up": 4, "two": 2}, packed)
@@ -196,7 +196,8 @@ def compare_radii(folder):
             scene.write_text(SCENE % (f"albedo: 1, netcdf: {folder / 'radii.nc'}, liquid_water: lwc, effective_radius: reff, "
                                       f"time_s: {time_s}, interpolation: {rule}"))
             said = " ".join(subprocess.run([murk, "check", scene], text=True, capture_output=True).stdout.split())
-            want = f"r {min(radii):.3g}..{max(radii):.3g} um, by extinction {sums[1] / sums[0]:.4g} um in the mean"
+            when = "; between two times from 1 of 3" if len(parts) > 1 else f"; time {max(parts) + 1} of 3"
+            want = f"3 L / (2 r), r {min(radii):.3g}..{max(radii):.3g} um, by extinction {sums[1] / sums[0]:.4g} um in the mean{when}"
             check(want in said, f"{rule} at {time_s} s: {want} not in {said}")
 
 

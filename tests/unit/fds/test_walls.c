@@ -215,6 +215,20 @@ static void test_events(void)
     }
 }
 
+/* Events name their mesh. */
+static void test_events_of_a_mesh(void)
+{
+    double area[SURFACES];
+    write_run(" 1\n 1 3 1 3 1 3 1 1 1 1 1 1 1\n 1 3 1 3 1 3 -1 -1", " 0 0",
+              " 1\n 4 6 1 3 0 2 1 2 2 2 2 2 2\n 0 1 1 3 0 2 -1 -1",
+              "HIDE_OBST 2\n 1 10.\n");
+    measure(area, 9);
+    CHECK(area[LATER] > 0);
+    measure(area, 11);
+    CHECK_NEAR(area[LATER], 0, 0);
+    CHECK_NEAR(area[BLOCK], 24, 1e-12);
+}
+
 static void refuses(const char *text, const char *problem, const char *line)
 {
     murk_fds_run *run = NULL;
@@ -233,6 +247,9 @@ static void test_refused(void)
     refuses("GRID a\n 2 0 2\n", "number of cells is 0", "test:2");
     refuses("GRID a\n 1 1 1\nTRNX\n 0\n 0 0.\n 1 0.\n", "must rise", "test:6");
     refuses("GRID a\n 1 1 1\nTRNX\n 0\n 0 0.\n", "ends within", "test:5");
+    refuses("GRID a\n 1 1 1\nTRNX\n 0\n 0 0.\n 1 1.\nTRNZ\n 0\n 0 0.\n 1 "
+            "1.\nSURFACE\n A\n",
+            "misses grid lines (a)", "test");
     refuses("GRID a\n 1 1 1\nOBST\n 1\n 0 1 0 1 0 1 1 9 9\n", "too few",
             "test:5");
     refuses("GRID a\n 1 1 1\nSMOKF3D 1 8700.\n ../a.s3d\n SOOT DENSITY\n r\n "
@@ -252,6 +269,7 @@ int main(void)
     test_plates();
     test_unlike_meshes();
     test_events();
+    test_events_of_a_mesh();
     test_refused();
     unlink(path);
     return check_done();

@@ -513,6 +513,8 @@ static void test_warnings(void)
                   "a.ldt:18: height of luminous area C0 is 0 mm, but size: "
                   "file takes the highest, 50 mm");
     check_warning("a.ldt", changed(18, "50"), "a.ldt:19: height of luminous");
+    check_warning("a.ldt", changed(20, "50"), "a.ldt:18: height of luminous");
+    check_warning("a.ldt", changed(21, "50"), "a.ldt:18: height of luminous");
     check_warning("a.ldt", changed(LAST_GAMMA, "175"),
                   "a.ldt: vertical angles 0..175");
     for (int type = 2; type <= 3; ++type) {
