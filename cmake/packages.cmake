@@ -125,4 +125,13 @@ from NetCDF files."
         DEPENDS "${murk_same_version}")
     set(CPACK_DEBIAN_MURK-NETCDF_PACKAGE_SHLIBDEPS ON)
 endif()
+if(TARGET murk_gdal)
+    murk_package(murk-gdal science
+"simulator of light in fog, smoke, rain and water - GeoTIFF files
+murk simulates light in fog, smoke, rain and water, and places sensors in it.
+This package contains the program by which murk reads the elevation of the
+ground from GeoTIFF files."
+        DEPENDS "${murk_same_version}")
+    set(CPACK_DEBIAN_MURK-GDAL_PACKAGE_SHLIBDEPS ON)
+endif()
 include(CPack)

@@ -39,6 +39,13 @@ void murk_import_pack(murk_parcel *to, const void *context);
 murk_status murk_import_unpack(murk_import_request *out, murk_parcel *from,
                                murk_error *err);
 
+/* Unpacks and checks an answer; for GeoTIFF files (is_geotiff) the facts come
+ * before the head. The caller owns *out. Fails with MURK_BAD_FILE at `where`,
+ * or with MURK_NO_MEMORY. */
+murk_status murk_import_open(murk_mesh **out, const unsigned char *bytes,
+                             size_t size, bool is_geotiff, const char *path,
+                             const char *where, murk_error *err);
+
 /* A murk_subprocess_work function; `context` is a murk_import_request. */
 murk_status murk_import_work(murk_subprocess *subprocess, void *context,
                              murk_error *err);

@@ -10,6 +10,7 @@
 
 #include "base/status.h"
 #include "base/vector.h"
+#include "terrain/geotiff_request.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,7 +21,8 @@
 typedef struct murk_mesh {
     size_t vertices, triangles, materials;
     murk_vec3 origin_m; /* origin of the vertices: 0, unless an OBJ or PLY file
-                           has vertices far from 0 (geometry/import_shift.h) */
+                           has vertices far from 0 (geometry/import_shift.h),
+                           or ground is far from the site */
     double step_m;      /* step of single precision at the farthest vertex: the
                            accuracy of the vertices */
     float *vertex_m;    /* 3 * vertices: x y z x y z ... */
@@ -32,7 +34,8 @@ typedef struct murk_mesh {
                         * added */
     bool names_others; /* the file names other files, such as materials or
                         * buffers, so the mesh may change without the file */
-    unsigned further_owners; /* murk_mesh_share() */
+    murk_terrain_facts terrain; /* of a GeoTIFF file; columns 0: another file */
+    unsigned further_owners;    /* murk_mesh_share() */
 } murk_mesh;
 
 typedef struct murk_mesh_import {
@@ -51,6 +54,12 @@ typedef struct murk_mesh_import {
      * of materials. unit_m and up are ignored. */
     bool is_fds;
     double fds_time_s;
+    /* The file is a GeoTIFF file of elevations: the mesh is the ground in the
+     * frame of the request (terrain/geotiff_request.h), with triangles whose
+     * corners turn counter-clockwise seen from above, and one material,
+     * default. unit_m and up are ignored. */
+    bool is_geotiff;
+    murk_geotiff_asked geotiff;
 } murk_mesh_import;
 
 /* A path "memory:NAME" names a mesh in memory (base/memory_files.h), whose data
@@ -65,6 +74,7 @@ typedef struct murk_mesh_import {
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
                            const murk_mesh_import *import, const char *where,
                            murk_error *err);
+
 /* A checksum of vertices, triangles and names of materials. */
 void murk_mesh_checksum(const murk_mesh *mesh, uint64_t out[2]);
 

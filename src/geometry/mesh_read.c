@@ -13,6 +13,7 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -238,18 +239,62 @@ static murk_status read_memory(murk_mesh **out, const char *path,
     return MURK_OK;
 }
 
+murk_status murk_import_open(murk_mesh **out, const unsigned char *bytes,
+                             size_t size, bool is_geotiff, const char *path,
+                             const char *where, murk_error *err)
+{
+    murk_terrain_facts facts = {.columns = 0};
+    if (is_geotiff && !murk_terrain_facts_take(&facts, &bytes, &size)) {
+        return murk_fail(err, MURK_BAD_FILE, where,
+                         "%s is malformed: its reader lost count", path);
+    }
+    murk_mesh *mesh = calloc(1, sizeof *mesh);
+    const murk_status status = mesh
+                                   ? unpack(mesh, bytes, size, path, where, err)
+                                   : murk_no_memory(err, where, "for %s", path);
+    if (status) {
+        murk_mesh_destroy(mesh);
+        return status;
+    }
+    mesh->terrain = facts;
+    *out = mesh;
+    return MURK_OK;
+}
+
+/* Imports a file in a subprocess, by the program of the format. */
+static murk_status import_file(unsigned char **bytes, size_t *size,
+                               murk_import_request *request,
+                               const murk_subprocess_limits *limits,
+                               murk_error *err)
+{
+    const char *where = request->where;
+    if (!request->import.is_geotiff) {
+        return murk_subprocess_do(bytes, size,
+                                  request->import.is_fds ? &murk_import_fds_job
+                                                         : &murk_import_job,
+                                  request, limits, where, err);
+    }
+    char place[sizeof err->where];
+    snprintf(place, sizeof place, "%s: %s", where, request->path);
+    murk_geotiff_request terrain = {.path = request->path,
+                                    .where = place,
+                                    .asked = request->import.geotiff};
+    return murk_subprocess_do(bytes, size, &murk_geotiff_job, &terrain, limits,
+                              place, err);
+}
+
 murk_status murk_mesh_read(murk_mesh **out, const char *path,
-                           const murk_mesh_import *import, const char *where,
+                           const murk_mesh_import *how, const char *where,
                            murk_error *err)
 {
     murk_import_request request = {.path = path, .where = where};
-    if (import) {
-        request.import = *import;
+    if (how) {
+        request.import = *how;
     }
     uint64_t file_bytes = 0;
     unsigned char *bytes = NULL;
     size_t size = 0;
-    if (murk_memory_is(path)) {
+    if (murk_memory_is(path) && !request.import.is_geotiff) {
         return read_memory(out, path, &request.import, where, err);
     }
     /* Check the request and the file. */
@@ -261,26 +306,16 @@ murk_status murk_mesh_read(murk_mesh **out, const char *path,
         /* Import in a subprocess, with limits that follow the size of the
          * file. */
         const murk_subprocess_limits limits =
-            murk_subprocess_limits_for(file_bytes);
-        status = murk_subprocess_do(&bytes, &size,
-                                    request.import.is_fds ? &murk_import_fds_job
-                                                          : &murk_import_job,
-                                    &request, &limits, where, err);
+            request.import.is_geotiff ? murk_geotiff_limits(file_bytes)
+                                      : murk_subprocess_limits_for(file_bytes);
+        status = import_file(&bytes, &size, &request, &limits, err);
     }
-    if (status) {
-        return status;
+    if (!status) {
+        status = murk_import_open(out, bytes, size, request.import.is_geotiff,
+                                  path, where, err);
     }
-    /* Unpack and check the result. */
-    murk_mesh *mesh = calloc(1, sizeof *mesh);
-    status = mesh ? unpack(mesh, bytes, size, path, where, err)
-                  : murk_no_memory(err, where, "for %s", path);
     free(bytes);
-    if (status) {
-        murk_mesh_destroy(mesh);
-        return status;
-    }
-    *out = mesh;
-    return MURK_OK;
+    return status;
 }
 
 void murk_mesh_checksum(const murk_mesh *mesh, uint64_t out[2])

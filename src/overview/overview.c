@@ -76,6 +76,7 @@ cJSON *murk_overview_json(const murk_overview *o)
     /* Surfaces, media and lights. */
     add_surfaces(root, o);
     add_mesh_materials(root, o);
+    murk_overview_json_ground(root, stage);
     murk_overview_json_media(root, stage);
     murk_overview_json_lights(root, stage);
     murk_overview_json_weather(root, stage);
@@ -154,6 +155,7 @@ void murk_overview_print(const void *of)
                    m->transmit.band[0]);
     }
     print_mesh_materials(o);
+    murk_overview_print_ground(stage);
     murk_overview_print_media(stage);
     murk_overview_print_lights(stage);
     murk_overview_print_weather(stage);

@@ -15,6 +15,13 @@
 void murk_overview_print_media(const murk_stage *stage);
 void murk_overview_json_media(cJSON *root, const murk_stage *stage);
 
+/* Ground from files of elevations: size, missing heights, triangles, the error
+ * of the mesh, and the place: "ground": [{geometry, file, columns, rows,
+ * missing, uncovered, spacing_m, low_m, high_m, unit_m, unit_from, triangles,
+ * error_m, longitude_deg, latitude_deg, system}], left out without ground. */
+void murk_overview_print_ground(const murk_stage *stage);
+void murk_overview_json_ground(cJSON *root, const murk_stage *stage);
+
 /* The power of all lights together, in watts and in the scene's `units`; of
  * each light of the sky the irradiance, and the position of sun or moon; and
  * which lamps are off. Adds "lights": {count, power_w, power_SUFFIX (in the

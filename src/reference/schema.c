@@ -175,7 +175,7 @@ static cJSON *values(const murk_key *row)
         return any_of(map_schema(keys), list_of(one, 1, MURK_BANDS_MAX), NULL);
     /* Maps. */
     case MURK_KEY_MAP:
-        return map_schema(keys);
+        return any_of(row->takes_file ? text(0) : NULL, map_schema(keys), NULL);
     case MURK_KEY_LIST:
         return list_of(map_schema(keys), keys->needs_item, keys->max_items);
     case MURK_KEY_MAPS:

@@ -34,7 +34,7 @@ enum {
     REGRET,
     BUDGET,
     STORE,
-    TIME,
+    SITE,
     WEATHER,
     N_USES
 };
@@ -97,7 +97,9 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [REGRET] = p->over == MURK_SCENE_OBJECTIVE_REGRET,
         [BUDGET] = s->sensors.budget > 0,
         [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
-        [TIME] = murk_idle_asks_time(s) || uses_weather(s),
+        [SITE] = murk_idle_asks_time(s) || murk_scene_has_ground(s) ||
+                 uses_weather(s) || s->sensors.candidates.points.files > 0 ||
+                 p->targets.points,
         [WEATHER] = uses_weather(s),
     };
     for (int i = 0; i < N_USES; ++i) {
@@ -138,7 +140,9 @@ const murk_idle_key murk_idle_keys[] = {
     {"sensors.types.*.cost", BUDGET, WITHOUT "sensors.budget"},
     {"photons.store_when", STORE, "has no effect with maps: none"},
     {"photons.max_stored", STORE, "has no effect with maps: none"},
-    {"site", TIME, WITHOUT "a light of the sky or a lamp with a schedule"},
+    {"site", SITE,
+     WITHOUT "a light of the sky, a lamp with a schedule, ground of a file, or "
+             "a table of places"},
     {"weather", WEATHER,
      WITHOUT "a light with cover: weather or a medium with preset: weather"},
     {NULL, N_USES, NULL},

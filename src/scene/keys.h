@@ -67,6 +67,7 @@ typedef struct murk_key {
     const char *of;               /* references: "media" or "materials" */
     size_t at, size;              /* member; size 0: not stored */
     size_t inside;    /* a map: the member into which the keys of the map go */
+    bool takes_file;  /* a map: a text is short for {file: TEXT} */
     bool is_position; /* moved to the local origin (scene/origin.h): a vector,
                        * or heights, which are numbers */
     bool selects_files; /* the number says which files are read, or what of

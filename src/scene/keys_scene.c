@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/ground.h"
 #include "scene/keys_rows.h"
 #include "scene/light_source.h"
 #include "scene/override.h"
@@ -119,6 +120,7 @@ static murk_status check_scene(murk_key_reader *walk, const murk_yaml *map,
 
 const murk_keys murk_scene_keys = {
     .noun = "scene",
+    .complete = murk_ground_complete,
     .check = check_scene,
     .key = SCENE_ROWS,
 };

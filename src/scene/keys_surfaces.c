@@ -6,12 +6,13 @@
 
 #define SHAPE_KEY(id, key) key,
 static const char *const GEOMETRY_VARIANTS[] = {
-    MURK_SURFACE_SHAPES(SHAPE_KEY) "fds", NULL};
+    MURK_SURFACE_SHAPES(SHAPE_KEY) "fds", "geotiff", NULL};
 
-/* The variant of the walls of an FDS run, which are a mesh once they are
- * read. */
+/* The variants of the walls of an FDS run and of the ground of a GeoTIFF file,
+ * which are meshes once they are read. */
 #define SHAPE_COUNTED(id, key) +1
 #define SHAPE_FDS              (0 MURK_SURFACE_SHAPES(SHAPE_COUNTED))
+#define SHAPE_GEOTIFF          (SHAPE_FDS + 1)
 
 static murk_status check_rect(murk_key_reader *walk, const murk_yaml *map,
                               void *item)
@@ -32,11 +33,73 @@ static const murk_key RECT_ROWS[] = {
 static const murk_keys RECT = {
     .noun = "rect", .check = check_rect, .key = RECT_ROWS};
 
-#define OF_MESH .variants = BIT(MURK_SHAPE_MESH)
-#define OF_FDS  .variants = BIT(SHAPE_FDS)
+/* ---- ground ---- */
 
-/* Checks the name and gives the walls of an FDS run their shape. Names serve as
- * parts of paths, where a number is the index of an item. */
+static murk_status check_geotiff(murk_key_reader *walk, const murk_yaml *map,
+                                 void *item)
+{
+    const murk_geotiff_asked *asked = &((murk_scene_geometry *)item)->geotiff;
+    const double *box = asked->within_m;
+    if (asked->has_within && !(box[0] < box[2] && box[1] < box[3])) {
+        return murk_walk_fail(walk, murk_yaml_get(map, "within_m"),
+                              "within_m is [%.9g, %.9g, %.9g, %.9g], must be "
+                              "[x0, y0, x1, y1] with x0 < x1 and y0 < y1",
+                              box[0], box[1], box[2], box[3]);
+    }
+    const murk_scene_site *site = &walk->scene->site;
+    return site->has_latitude && site->has_longitude
+               ? MURK_OK
+               : murk_walk_fail(walk, map,
+                                "needs site.latitude_deg and "
+                                "site.longitude_deg, or none of them: then the "
+                                "middle of the file is the site");
+}
+
+/* No place on earth is higher than this above another; GDAL has int bands. */
+#define ERROR_MAX_M 1e4
+#define BANDS_MAX   65535
+
+static const murk_key GEOTIFF_ROWS[] = {
+    ROW("file", PATH, NEEDED, GEOMETRY(solid.mesh)),
+    ROW("error_m", NUMBER, .max = ERROR_MAX_M, .unit = "m", .preset = "0.5",
+        .selects_files = true, GEOMETRY(geotiff.error_m)),
+    ROW("band", COUNT, .min = 1, .max = BANDS_MAX, .preset = "1",
+        .selects_files = true, GEOMETRY(geotiff.band)),
+    ROW("height_unit", WORD,
+        WORDS({"m", MURK_SCENE_HEIGHT_M}, {"cm", MURK_SCENE_HEIGHT_CM},
+              {"ft", MURK_SCENE_HEIGHT_FT}, {"us-ft", MURK_SCENE_HEIGHT_US_FT}),
+        GEOMETRY(height_unit)),
+    ROW("nodata", NUMBER, .min = -DBL_MAX, .max = DBL_MAX,
+        .selects_files = true, GEOMETRY(geotiff.nodata),
+        FLAG(murk_scene_geometry, geotiff.has_nodata)),
+    ROW("within_m", NUMBERS,
+        LIST_ITEMS(ROW("x0", NUMBER, LONG_M), ROW("y0", NUMBER, LONG_M),
+                   ROW("x1", NUMBER, LONG_M), ROW("y1", NUMBER, LONG_M)),
+        .selects_files = true, GEOMETRY(geotiff.within_m),
+        FLAG(murk_scene_geometry, geotiff.has_within)),
+    END,
+};
+
+static const murk_keys GEOTIFF = {
+    .noun = "geotiff", .check = check_geotiff, .key = GEOTIFF_ROWS};
+
+bool murk_scene_has_ground(const murk_scene_desc *scene)
+{
+    bool has = false;
+    for (size_t i = 0; i < scene->geometries; ++i) {
+        has = has || scene->geometry[i].is_geotiff;
+    }
+    return has;
+}
+
+/* ---- geometry ---- */
+
+#define OF_MESH    .variants = BIT(MURK_SHAPE_MESH)
+#define OF_FDS     .variants = BIT(SHAPE_FDS)
+#define OF_GEOTIFF .variants = BIT(SHAPE_GEOTIFF)
+
+/* Checks the name and gives walls and ground from files their shape. Names
+ * serve as parts of paths, where a number is the index of an item. */
 static murk_status check_geometry(murk_key_reader *walk, const murk_yaml *map,
                                   void *item)
 {
@@ -45,6 +108,9 @@ static murk_status check_geometry(murk_key_reader *walk, const murk_yaml *map,
     if ((int)own->shape == SHAPE_FDS) {
         own->shape = MURK_SHAPE_MESH;
         own->is_fds = true;
+    } else if ((int)own->shape == SHAPE_GEOTIFF) {
+        own->shape = MURK_SHAPE_MESH;
+        own->is_geotiff = true;
     }
     if (own->name[0] == '\0') {
         return MURK_OK;
@@ -66,6 +132,8 @@ static const murk_key GEOMETRY_ROWS[] = {
     ROW("rect", MAP, .group = 1, NEEDED, .keys = &RECT),
     SPHERE_ROW(murk_scene_geometry, .group = 1, NEEDED),
     ROW("fds", PATH, .group = 1, NEEDED, OF_FDS, GEOMETRY(solid.mesh)),
+    ROW("geotiff", MAP, .group = 1, NEEDED, OF_GEOTIFF, .keys = &GEOTIFF,
+        .takes_file = true),
     ROW("time_s", NUMBER, OF_FDS, .min = -1e9, .max = 1e9, .unit = "s",
         .preset = "0", GEOMETRY(time_s)),
     ROW("unit_m", NUMBER, SIZE_M, OF_MESH, GEOMETRY(solid.unit_m)),

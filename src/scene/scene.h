@@ -21,6 +21,7 @@
 #include "luminaire/lamp_spectrum.h"
 #include "luminaire/luminaire.h"
 #include "preset/preset.h"
+#include "terrain/geotiff_request.h"
 #include "weather/year.h"
 
 #include <stdbool.h>
@@ -56,15 +57,27 @@ static inline murk_affine murk_scene_placed(const murk_scene_solid *s)
     return murk_affine_place(s->rotate_deg, s->scale, s->translate_m);
 }
 
+/* The unit of heights in a file; 0: as the file says. */
+typedef enum murk_scene_height_unit {
+    MURK_SCENE_HEIGHT_M = 1,
+    MURK_SCENE_HEIGHT_CM,
+    MURK_SCENE_HEIGHT_FT,
+    MURK_SCENE_HEIGHT_US_FT
+} murk_scene_height_unit;
+
 typedef struct murk_scene_geometry {
     murk_scene_name name; /* unique; empty: none */
     murk_scene_where where;
     murk_shape shape;
     murk_scene_solid solid;
-    char *allow;   /* a further folder in which the file of the mesh may open
-                      other files; NULL: only the folder of that file */
-    bool is_fds;   /* the file of the mesh is the .smv file of an FDS run */
-    double time_s; /* of that run */
+    char *allow;     /* a further folder in which the file of the mesh may open
+                        other files; NULL: only the folder of that file */
+    bool is_fds;     /* the file of the mesh is the .smv file of an FDS run */
+    double time_s;   /* of that run */
+    bool is_geotiff; /* the file of the mesh is a GeoTIFF file of elevations */
+    murk_geotiff_asked geotiff; /* without the frame, which is that of the site
+                                 */
+    int height_unit;            /* murk_scene_height_unit */
     murk_vec3 corner, edge1, edge2; /* of a rectangle */
     int material; /* index into materials; -1: not given: a mesh has the
                    * materials that its file names, any other shape `default` */
@@ -722,6 +735,9 @@ static inline murk_box murk_scene_user_box(const murk_scene_desc *scene,
     return (murk_box){murk_scene_user(scene, local.min),
                       murk_scene_user(scene, local.max)};
 }
+
+/* True if an item of the geometry is the ground of a file of elevations. */
+bool murk_scene_has_ground(const murk_scene_desc *scene);
 
 /* One --set, or an option that stands for one ("seed=3"). */
 typedef struct murk_override {

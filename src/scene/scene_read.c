@@ -200,6 +200,12 @@ static char *print_key(const murk_key_reader *walk,
     if (is_wanted("geometry") && scene->timeline.given) {
         fprintf(out, "rounding of the domain\n"); /* world/stage_build.c */
     }
+    if (is_wanted("geometry") && murk_scene_has_ground(scene)) {
+        /* The site is the middle of the map. */
+        fprintf(out, "ground about %.17g %.17g at %.17g m\n",
+                scene->site.latitude_deg, scene->site.longitude_deg,
+                scene->site.altitude_m);
+    }
     if (is_wanted("site") && scene->timeline.given &&
         murk_idle_asks_time(scene)) {
         fprintf(out, "at %.17g s\n", scene->timeline.at_s);

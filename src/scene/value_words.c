@@ -169,6 +169,9 @@ void murk_value_allowed(const murk_key *key, char out[MURK_ALLOWED_SIZE])
     case MURK_KEY_SPECTRUM:
         add(out, "%s", key->keys ? ", or a map of keys" : "");
         break;
+    case MURK_KEY_MAP:
+        add(out, "%s", key->takes_file ? ", or the name of a file" : "");
+        break;
     case MURK_KEY_LIST:
         add(out, "%s%s", key->keys->needs_item ? "at least one " : "maps",
             key->keys->needs_item ? key->keys->noun : "");

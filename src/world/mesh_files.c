@@ -1,6 +1,8 @@
 /* Lists the mesh files of a scene, whatever part of the scene names them. */
 #include "world/mesh_files.h"
 
+#include "scene/ground.h"
+
 size_t murk_mesh_files_count(const murk_scene_desc *scene)
 {
     const murk_scene_candidates *sites = &scene->sensors.candidates;
@@ -29,6 +31,10 @@ murk_mesh_file murk_mesh_file_at(const murk_scene_desc *scene, size_t i)
         file.import.allow = g->allow;
         file.import.is_fds = g->is_fds;
         file.import.fds_time_s = g->time_s;
+        if (g->is_geotiff) {
+            file.import.is_geotiff = true;
+            file.import.geotiff = murk_scene_ground_asked(scene, i);
+        }
         return file;
     }
     i -= scene->geometries;

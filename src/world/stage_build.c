@@ -134,6 +134,8 @@ static murk_mesh *share_mesh(const murk_stage *earlier,
             f.import.up == file->import.up &&
             f.import.is_fds == file->import.is_fds &&
             f.import.fds_time_s == file->import.fds_time_s &&
+            f.import.is_geotiff == file->import.is_geotiff &&
+            murk_geotiff_is_same(&f.import.geotiff, &file->import.geotiff) &&
             is_same_text(f.import.allow, file->import.allow) &&
             !earlier->mesh[i]->names_others) {
             return murk_mesh_share(earlier->mesh[i]);

@@ -52,7 +52,8 @@ static const refusal REFUSALS[] = {
      VALUE, "fog.yaml:3:5: geometry.0",
      "has file and box, must have one of them"},
     {"geometry:\n  - {scale: 2}\n", VALUE, "fog.yaml:3:5: geometry.0",
-     "misses a key of a geometry, must be one of file, box, rect, sphere, fds"},
+     "misses a key of a geometry, must be one of file, box, rect, sphere, fds, "
+     "geotiff"},
     {"geometry:\n  - {file: a, scale: 0}\n", VALUE,
      "fog.yaml:3:22: geometry.0.scale",
      "0, must be more than 0 and at most 1e9"},
