@@ -439,7 +439,8 @@ const char *murk_fields_json(const murk_fields *fields);
 typedef struct murk_save_options {
     size_t size;         /* sizeof(murk_save_options) */
     const char *exports; /* words with commas between, and blanks if wanted:
-                          * fields, photons, surfaces; of a plan also matrix,
+                          * fields, photons, surfaces; of a plan or coverage
+                          * also geojson, geo-csv; of a plan also matrix,
                           * or-library, lp; of the steps of a timeline also
                           * light; studies and fits refuse it and voxel_m */
     const char *voxel_m; /* largest edge of exported voxels and of pieces of

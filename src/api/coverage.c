@@ -4,6 +4,7 @@
 
 #include "base/progress.h"
 #include "results/exports.h"
+#include "results/geo.h"
 #include "results/plan_ply.h"
 #include "results/sense.h"
 #include "results/tallies.h"
@@ -177,6 +178,9 @@ static murk_status save(void *of, murk_session *session,
         status = murk_results_add_csv(&session->results, "coverage.csv",
                                       murk_results_list_sensor,
                                       &results.sensors, n, err);
+    }
+    if (!status) {
+        status = murk_geo_add(session, &results.sensors, err);
     }
     return status ? status
                   : murk_session_finish(

@@ -220,6 +220,12 @@ murk_status murk_save_check(murk_session *session, const char *command,
                          "over: sense measures one scene; must be null, or "
                          "give it a scene-NAME.yaml of place");
     }
+    if (strcmp(command, "trace") == 0 &&
+        session->settings.exports & MURK_EXPORTS_OF_SENSORS) {
+        return murk_fail(err, MURK_BAD_VALUE, "exports",
+                         "geojson and geo-csv are of sensors, which trace does "
+                         "not have");
+    }
     return is_sense ? check_light(session, of_coverage, err)
            : strcmp(command, "trace") == 0 ? check_light(session, of_light, err)
            : strcmp(command, "place") == 0

@@ -85,7 +85,10 @@ const murk_option murk_option_table[] = {
     {"--export", NULL, "LIST", "trace place sense follow",
      "write these into DIR, too, with commas between: fields (coverage, "
      "optical depth, extinction and photon density as .vdb and .vti), photons "
-     "(photons.ply), surfaces (surfaces.ply and .vtp); and of place alone "
+     "(photons.ply), surfaces (surfaces.ply and .vtp); of place, sense and "
+     "follow geojson (sensors.geojson) and geo-csv (sensors_geo.csv), sensors "
+     "by "
+     "longitude and latitude; of place alone "
      "matrix (matrix.csv, the coverage matrix, which --matrix reads, and "
      "candidates.csv), or-library (matrix.txt, the same as OR-Library text), "
      "lp (problem.lp, the problem for an outside solver); of follow also light "

@@ -16,8 +16,9 @@ static const char blanks[] = " \t";
 murk_status murk_exports_read(unsigned *out, const char *words,
                               const char *where, murk_error *err)
 {
-    static const char *const known[] = {
-        "matrix", "or-library", "lp", "fields", "photons", "surfaces", "light"};
+    static const char *const known[] = {"matrix", "or-library", "lp",
+                                        "fields", "photons",    "surfaces",
+                                        "light",  "geojson",    "geo-csv"};
     /* Word by word between commas; bit i of the result is word i. */
     for (const char *at = words;;) {
         const size_t length = strcspn(at, ",");
@@ -41,7 +42,8 @@ murk_status murk_exports_read(unsigned *out, const char *words,
             return murk_fail(
                 err, MURK_BAD_VALUE, where,
                 "\"%s\" is not an export; allowed are matrix, "
-                "or-library, lp, fields, photons, surfaces and light, "
+                "or-library, lp, fields, photons, surfaces, light, geojson and "
+                "geo-csv, "
                 "with commas between",
                 shown);
         }

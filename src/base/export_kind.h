@@ -13,9 +13,14 @@ typedef enum murk_export {
     MURK_EXPORT_FIELDS = 8,
     MURK_EXPORT_PHOTONS = 16,
     MURK_EXPORT_SURFACES = 32,
-    MURK_EXPORT_LIGHT = 64 /* light.murk, which all but murk follow write in
-                            * any case */
+    MURK_EXPORT_LIGHT = 64, /* light.murk, which all but murk follow write in
+                             * any case */
+    MURK_EXPORT_GEOJSON = 128,
+    MURK_EXPORT_GEO_CSV = 256
 } murk_export;
+
+/* The exports of sensors alone. */
+#define MURK_EXPORTS_OF_SENSORS (MURK_EXPORT_GEOJSON | MURK_EXPORT_GEO_CSV)
 
 /* The exports of a plan alone, of a scene or of a matrix; all others need a
  * scene. */

@@ -4,7 +4,7 @@
 #include "plan/placement_in.h"
 
 #include "base/position.h"
-#include "scene/table.h"
+#include "scene/table_places.h"
 #include "scene/yaml.h"
 
 #include <math.h>
@@ -84,11 +84,9 @@ static murk_status add_sensor(reading *r, size_t i, const char *where,
 
 /* ---- CSV ---- */
 
-/* The columns: a type, then the numbers; the first NEEDED must be there. */
-#define COLUMNS (1 + NUMBERS) /* a type and the numbers */
-#define NEEDED  4             /* all but heading and tilt */
-static const char *const NAMES[COLUMNS] = {"type", "x_m",         "y_m",
-                                           "z_m",  "heading_deg", "tilt_deg"};
+/* The columns beside those of the place. */
+enum { TYPE, HEADING_DEG, TILT_DEG, COLUMNS };
+static const char *const NAMES[COLUMNS] = {"type", "heading_deg", "tilt_deg"};
 
 static const char *cell_of(const murk_table *table, size_t row, long column)
 {
@@ -96,28 +94,35 @@ static const char *cell_of(const murk_table *table, size_t row, long column)
 }
 
 /* Reads row i; an empty angle stays NAN. */
-static murk_status read_row(reading *r, const murk_table *table, size_t i,
-                            const long column[COLUMNS], murk_error *err)
+static murk_status read_row(reading *r, const murk_table_places *places,
+                            size_t i, const long column[COLUMNS],
+                            murk_error *err)
 {
-    double p[NUMBERS];
-    for (int k = 0; k < NUMBERS; ++k) {
-        const long at = column[1 + k];
+    const murk_table *table = places->table;
+    double p[NUMBERS], above_m;
+    murk_vec3 place;
+    murk_status status =
+        murk_table_places_read(places, i, &place, &above_m, err);
+    for (int k = HEADING; k <= TILT && !status; ++k) {
+        const long at = column[k == HEADING ? HEADING_DEG : TILT_DEG];
         p[k] = NAN;
-        if (at < 0 || (k >= HEADING && !cell_of(table, i, at)[0])) {
-            continue;
-        }
-        const murk_status status =
-            murk_table_number(table, i, at, NAN, &p[k], err);
-        if (status) {
-            return status;
+        if (at >= 0 && cell_of(table, i, at)[0]) {
+            status = murk_table_number(table, i, at, NAN, &p[k], err);
         }
     }
+    if (status) {
+        return status;
+    }
+    p[X] = place.x;
+    p[Y] = place.y;
+    p[Z] = place.z;
+    /* The pose, and whether it has drifted. */
     const long drifted = murk_table_column(table, "drifted");
     r->is_drifted[i] = r->may_drift && drifted >= 0 &&
                        strcmp(cell_of(table, i, drifted), "1") == 0;
     char where[320];
     snprintf(where, sizeof where, "%s:%d", table->path, table->line[i]);
-    return add_sensor(r, i, where, cell_of(table, i, column[0]), p, err);
+    return add_sensor(r, i, where, cell_of(table, i, column[TYPE]), p, err);
 }
 
 static murk_status read_rows(reading *r, const murk_table *table,
@@ -129,17 +134,22 @@ static murk_status read_rows(reading *r, const murk_table *table,
                          "%zu sensors, must be %zu..%d", table->rows, r->min,
                          SENSORS_MAX);
     }
+    /* Columns, then rows. */
     for (int i = 0; i < COLUMNS; ++i) {
         column[i] = murk_table_column(table, NAMES[i]);
-        if (i < NEEDED && column[i] < 0) {
-            return murk_fail(err, MURK_BAD_FILE, table->path,
-                             "no column %s; needed are type, x_m, y_m, z_m",
-                             NAMES[i]);
-        }
     }
-    murk_status status = allocate(r, table->rows, err);
+    if (column[TYPE] < 0) {
+        return murk_fail(err, MURK_BAD_FILE, table->path,
+                         "misses column type, must have type and a place");
+    }
+    murk_table_places places;
+    murk_status status =
+        murk_table_places_find(&places, table, r->scene, false, err);
+    if (!status) {
+        status = allocate(r, table->rows, err);
+    }
     for (size_t i = 0; i < table->rows && !status; ++i) {
-        status = read_row(r, table, i, column, err);
+        status = read_row(r, &places, i, column, err);
     }
     return status;
 }

@@ -1,9 +1,10 @@
 /* Reads candidate points from CSV tables and from the list of the scene; the
- * coordinates of tables are converted to the local origin of the scene. */
+ * coordinates of tables are converted to the local origin of the scene, from
+ * longitude and latitude if a table has these. */
 #include "plan/sites.h"
 
 #include "base/position.h"
-#include "scene/table.h"
+#include "plan/on_ground.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,20 +19,17 @@ static murk_status refuse_outside(const char *where, murk_vec3 p,
 }
 
 /* Reads one row; the point must lie in the domain. */
-static murk_status read_row(const murk_table *table, size_t row,
-                            const long column[3], murk_vec3 origin,
-                            const murk_box *box, murk_vec3 *out,
+static murk_status read_row(const murk_table_places *places, size_t row,
+                            const murk_stage *stage, murk_vec3 *out,
                             murk_error *err)
 {
-    double x[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const murk_status status =
-            murk_table_number(table, row, column[axis], NAN, &x[axis], err);
-        if (status) {
-            return status;
-        }
+    const murk_table *table = places->table;
+    const murk_box *box = &stage->world.domain.box;
+    const murk_status status =
+        murk_place_on_ground(out, stage, places, row, err);
+    if (status) {
+        return status;
     }
-    *out = murk_sub(murk_vec(x[0], x[1], x[2]), origin);
     if (!murk_box_contains(box, *out)) {
         char where[MURK_SCENE_WHERE_SIZE];
         snprintf(where, sizeof where, "%.300s:%d", table->path,
@@ -39,26 +37,6 @@ static murk_status read_row(const murk_table *table, size_t row,
         return refuse_outside(where, *out, box, err);
     }
     return MURK_OK;
-}
-
-/* Finds the numbers of the columns. Fails if a column is missing or the table
- * has no rows. */
-static murk_status check_table(const murk_table *table, long column[3],
-                               murk_error *err)
-{
-    static const char *const NAME[3] = {"x_m", "y_m", "z_m"};
-    for (int axis = 0; axis < 3; ++axis) {
-        column[axis] = murk_table_column(table, NAME[axis]);
-        if (column[axis] < 0) {
-            return murk_fail(err, MURK_BAD_FILE, table->path,
-                             "misses column %s, must have x_m, y_m and z_m",
-                             NAME[axis]);
-        }
-    }
-    return table->rows > 0
-               ? MURK_OK
-               : murk_fail(err, MURK_BAD_FILE, table->path,
-                           "lists no points, must have one or more");
 }
 
 /* Grows a list to n points. */
@@ -75,12 +53,16 @@ static murk_status reserve(murk_vec3 **point, size_t n, const char *where,
 
 /* Appends the points of a table to the *n points read so far. */
 static murk_status add_table(murk_vec3 **point, size_t *n,
-                             const murk_table *table, murk_vec3 origin,
-                             const murk_box *box, size_t maximum,
-                             murk_error *err)
+                             const murk_table *table, const murk_stage *stage,
+                             size_t maximum, murk_error *err)
 {
-    long column[3];
-    murk_status status = check_table(table, column, err);
+    murk_table_places places;
+    murk_status status =
+        murk_table_places_find(&places, table, stage->scene, true, err);
+    if (!status && table->rows == 0) {
+        status = murk_fail(err, MURK_BAD_FILE, table->path,
+                           "lists no points, must have one or more");
+    }
     if (status) {
         return status;
     }
@@ -94,8 +76,7 @@ static murk_status add_table(murk_vec3 **point, size_t *n,
     status = reserve(point, *n + table->rows, table->path, err);
     /* Read the points. */
     for (size_t row = 0; row < table->rows && !status; ++row) {
-        status =
-            read_row(table, row, column, origin, box, &(*point)[*n + row], err);
+        status = read_row(&places, row, stage, &(*point)[*n + row], err);
     }
     *n += table->rows;
     return status;
@@ -124,12 +105,10 @@ static murk_status add_listed(murk_vec3 **point, size_t *n,
 }
 
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
-                                  const murk_scene_desc *scene,
-                                  const murk_domain *domain, size_t maximum,
+                                  const murk_stage *stage, size_t maximum,
                                   murk_error *err)
 {
-    const murk_scene_points *points = &scene->sensors.candidates.points;
-    const murk_vec3 origin = scene->origin;
+    const murk_scene_points *points = &stage->scene->sensors.candidates.points;
     murk_vec3 *point = NULL;
     murk_status status = MURK_OK;
     *n = 0;
@@ -138,13 +117,13 @@ murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
         murk_table *table = NULL;
         status = murk_table_read(&table, points->file[i], err);
         if (!status) {
-            status =
-                add_table(&point, n, table, origin, &domain->box, maximum, err);
+            status = add_table(&point, n, table, stage, maximum, err);
         }
         murk_table_destroy(table);
     }
     if (!status) {
-        status = add_listed(&point, n, points, &domain->box, maximum, err);
+        status = add_listed(&point, n, points, &stage->world.domain.box,
+                            maximum, err);
     }
     if (status) {
         free(point);

@@ -142,9 +142,8 @@ static murk_status describe_candidates(asked_candidates *a,
     a->desc.is_reach_grid =
         !settings->has_grid && (settings->points.given || settings->mounts > 0);
     /* Listed points. */
-    murk_status status =
-        murk_site_points_read(&a->point, &a->desc.points, stage->scene,
-                              &stage->world.domain, MURK_CANDIDATES_MAX, err);
+    murk_status status = murk_site_points_read(&a->point, &a->desc.points,
+                                               stage, MURK_CANDIDATES_MAX, err);
     if (status) {
         return status;
     }

@@ -27,16 +27,15 @@ murk_status murk_sites_find_common(murk_candidates **out,
                                    const char *const *where, size_t n,
                                    unsigned threads, murk_error *err);
 
-/* Reads the CSV files that the scene names, in their order, with the columns
- * x_m, y_m, z_m (other columns are ignored), then the points listed in the
- * scene. The caller owns (*out)[*n]: free(). Fails with MURK_BAD_VALUE or
- * MURK_BAD_FILE, at the place in the file or at the list of the scene, if a
+/* Reads the CSV files that the scene names, in their order, with places as
+ * in scene/table_places.h (other columns are ignored), then the points listed
+ * in the scene. The caller owns (*out)[*n]: free(). Fails with MURK_BAD_VALUE
+ * or MURK_BAD_FILE, at the place in the file or at the list of the scene, if a
  * file cannot be read, lacks a column or has no points, if a value is not a
  * number, if a point lies outside the domain, or if there are more than `max`
  * points; or with MURK_NO_MEMORY. */
 murk_status murk_site_points_read(murk_vec3 **out, size_t *n,
-                                  const murk_scene_desc *scene,
-                                  const murk_domain *domain, size_t max,
+                                  const murk_stage *stage, size_t max,
                                   murk_error *err);
 
 #endif

@@ -2,18 +2,16 @@
  * point with a normal is a record on a surface; a point without a normal, or
  * with the normal 0, is a record in the volume. */
 #include "base/position.h"
+#include "plan/on_ground.h"
 #include "plan/target_records.h"
-#include "scene/table.h"
 
 #include <stdio.h>
 
-enum { X, Y, Z, NORMAL_X, NORMAL_Y, NORMAL_Z, WEIGHT, COLUMNS };
+/* The columns beside those of the place; all may be missing. */
+enum { NORMAL_X, NORMAL_Y, NORMAL_Z, WEIGHT, COLUMNS };
 
-static const char *const NAMES[COLUMNS] = {
-    "x_m", "y_m", "z_m", "normal_x", "normal_y", "normal_z", "weight"};
-
-/* Columns that must be there: x_m, y_m, z_m. */
-#define NEEDED_COLUMNS 3
+static const char *const NAMES[COLUMNS] = {"normal_x", "normal_y", "normal_z",
+                                           "weight"};
 
 /* Largest weight that the manual permits. */
 #define WEIGHT_MAX 1e6
@@ -27,6 +25,7 @@ typedef struct list {
     murk_target_records *to;
     const murk_stage *stage; /* of `to` */
     const murk_table *table;
+    murk_table_places places;
     long column[COLUMNS]; /* -1 if the table does not have the column */
     double step_m;
     double weight; /* sum over all targets */
@@ -36,14 +35,14 @@ typedef struct list {
 static murk_status find_columns(list *l, murk_error *err)
 {
     int normals = 0;
+    const murk_status status = murk_table_places_find(
+        &l->places, l->table, l->stage->scene, true, err);
+    if (status) {
+        return status;
+    }
     for (int i = 0; i < COLUMNS; ++i) {
         l->column[i] = murk_table_column(l->table, NAMES[i]);
-        if (i < NEEDED_COLUMNS && l->column[i] < 0) {
-            return murk_fail(err, MURK_BAD_FILE, l->table->path,
-                             "no column %s; needed are x_m, y_m, z_m",
-                             NAMES[i]);
-        }
-        normals += i >= NORMAL_X && i <= NORMAL_Z && l->column[i] >= 0;
+        normals += i <= NORMAL_Z && l->column[i] >= 0;
     }
     return normals == 0 || normals == 3
                ? MURK_OK
@@ -105,19 +104,20 @@ static murk_status read_row(list *l, size_t row, murk_error *err)
     double value[COLUMNS];
     /* Read the values; a missing weight is 1. */
     for (int i = 0; i < COLUMNS; ++i) {
-        const double missing = i < NEEDED_COLUMNS ? NAN : i == WEIGHT ? 1 : 0;
         const murk_status status = murk_table_number(
-            l->table, row, l->column[i], missing, &value[i], err);
+            l->table, row, l->column[i], i == WEIGHT ? 1 : 0, &value[i], err);
         if (status) {
             return status;
         }
     }
-    /* Convert to the local origin and check. */
-    const murk_vec3 place = murk_scene_local(
-        l->stage->scene, murk_vec(value[X], value[Y], value[Z]));
+    /* The place, and checks. */
+    murk_vec3 place;
     murk_vec3 normal = {value[NORMAL_X], value[NORMAL_Y], value[NORMAL_Z]};
-    const murk_status status =
-        check_row(l, row, place, normal, value[WEIGHT], err);
+    murk_status status =
+        murk_place_on_ground(&place, l->stage, &l->places, row, err);
+    if (!status) {
+        status = check_row(l, row, place, normal, value[WEIGHT], err);
+    }
     if (status) {
         return status;
     }

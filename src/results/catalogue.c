@@ -7,6 +7,7 @@
 #include "results/exports.h"
 #include "results/fit.h"
 #include "results/follow.h"
+#include "results/geo.h"
 #include "results/ledger.h"
 #include "results/matrix.h"
 #include "results/plan.h"
@@ -31,6 +32,7 @@ static const result_file files[] = {
     {"follow.json", .list = murk_results_list_follow},
     {"sensors.csv", .item = murk_results_list_place},
     {"coverage.csv", .item = murk_results_list_sensor},
+    {"sensors_geo.csv", .item = murk_results_list_geo},
     {"tallies.csv", .item = murk_results_list_tally},
     {"explore.csv", .item = murk_results_list_step},
     {"repeat.csv", .item = murk_results_list_run},

@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "results/coverage.h"
+#include "results/geo.h"
 #include "results/photons.h"
 #include "results/plan_ply.h"
 #include "results/surfaces.h"
@@ -170,8 +171,8 @@ murk_status murk_exports_begin(const murk_session *session, murk_error *err)
 {
     const unsigned exports = session->settings.exports;
     murk_field_box box;
-    murk_status status = MURK_OK;
-    if (exports & MURK_EXPORT_FIELDS) {
+    murk_status status = murk_geo_check(session, err);
+    if (!status && exports & MURK_EXPORT_FIELDS) {
         status = check_names(session, err);
         status = status ? status : murk_fields_box(&box, session, err);
     }

@@ -6,6 +6,7 @@
 #include "results/coverage.h"
 #include "results/explore.h"
 #include "results/exports.h"
+#include "results/geo.h"
 #include "results/tallies.h"
 
 murk_status murk_add_plan_files(murk_session *session,
@@ -32,6 +33,9 @@ murk_status murk_add_plan_files(murk_session *session,
         status = murk_results_add_csv(&session->results, "coverage.csv",
                                       murk_results_list_sensor, &sensors,
                                       sensors.n, err);
+    }
+    if (!status) {
+        status = murk_geo_add(session, &sensors, err);
     }
     if (!status) {
         status = murk_add_explore(&session->results, session->stage, plan, err);

@@ -101,7 +101,9 @@ static murk_status expect_exports(murk_session *session, murk_error *err)
         {MURK_EXPORT_FIELDS,
          {"coverage.vdb", "optical_depth.vdb", "extinction.vdb", "fields.vti"}},
         {MURK_EXPORT_PHOTONS, {"photons.ply", "photons.vtp"}},
-        {MURK_EXPORT_SURFACES, {"surfaces.ply", "surfaces.vtp"}}};
+        {MURK_EXPORT_SURFACES, {"surfaces.ply", "surfaces.vtp"}},
+        {MURK_EXPORT_GEOJSON, {"sensors.geojson"}},
+        {MURK_EXPORT_GEO_CSV, {"sensors_geo.csv"}}};
     murk_status status = MURK_OK;
     for (size_t i = 0; i < sizeof files / sizeof *files && !status; ++i) {
         murk_error why = {0};

@@ -203,6 +203,8 @@ def check_width():
                   ["study", "scenes/studies/fog-yard.yaml", "--emit", "50",
                    "--set", "placement.method=greedy"]):
         done = run(*words)
+        if "install the package murk-gdal" in done.stderr:  # a build without the reader of valley.yaml
+            continue
         wide = [l for l in done.stdout.splitlines() if len(l) > COLUMNS or l.endswith(" ")]
         check(done.returncode == 0 and not wide, words, wide[:2], done.stderr[:200])
 

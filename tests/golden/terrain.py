@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""Places by longitude and latitude: scenes/valley.yaml with its ground, its
+candidates and the exports for maps, from outside. Standard library only.
+usage: terrain.py MURK
+"""
+
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+murk = pathlib.Path(sys.argv[1]).resolve()
+failures = checks = 0
+
+
+def check(holds, text):
+    global failures, checks
+    checks += 1
+    if not holds:
+        failures += 1
+        if failures < 20:
+            print("not so:", text)
+
+
+def run(*words):
+    return subprocess.run([murk, *words], text=True, capture_output=True)
+
+
+def rows(path):
+    with open(path) as table:
+        return list(csv.DictReader(line for line in table if line[0] != "#"))
+
+
+SCENE = "scenes/valley.yaml"
+KEYS = ["--set", "photons.emit=3000"]
+
+
+def plan(folder):
+    """The plan with exports: places are those of the table, bytes of other files do not change."""
+    plain, out, again = folder / "plain", folder / "out", folder / "again"
+    check(run("place", SCENE, *KEYS, "-o", plain).returncode == 0, "place")
+    check(run("place", SCENE, *KEYS, "-o", out, "--export", "geojson,geo-csv").returncode == 0, "place with exports")
+    check(sorted(p.name for p in out.iterdir() if not (plain / p.name).exists()) ==
+          ["sensors.geojson", "sensors_geo.csv"], "two files more")
+    for name in ("sensors.csv", "coverage.csv", "plan.ply", "light.murk"):
+        check((plain / name).read_bytes() == (out / name).read_bytes(), name)
+    # the masts of the table come back to 1e-9 degrees, 0.1 mm
+    masts = [(float(r["longitude_deg"]), float(r["latitude_deg"])) for r in rows("scenes/terrain/masts.csv")]
+    geo, places = rows(out / "sensors_geo.csv"), rows(out / "sensors.csv")
+    check(len(geo) == len(places) == 3, "three sensors")
+    features = json.loads((out / "sensors.geojson").read_text())
+    check(features["type"] == "FeatureCollection" and len(features["features"]) == 3, "features")
+    sensors = json.loads((out / "plan.json").read_text())["sensors"]
+    for row, place, feature, sensor in zip(geo, places, features["features"], sensors):
+        at = (float(row["longitude_deg"]), float(row["latitude_deg"]))
+        check(min(max(abs(at[0] - m[0]), abs(at[1] - m[1])) for m in masts) < 2e-9, f"{at} is no mast")
+        check(all(row[key] == place[key] for key in place), f"{row} {place}")
+        check(float(row["height_m"]) == float(row["z_m"]), "altitude 0")
+        check(feature["type"] == "Feature" and feature["geometry"]["type"] == "Point", "a point")
+        check(feature["geometry"]["coordinates"] == [*at, float(row["height_m"])], f"{feature}")
+        check(feature["properties"] == sensor, f"{feature} {sensor}")
+    # the resolved scene has the site, and gives the same
+    resolved = (out / "scene.resolved.yaml").read_text()
+    check("latitude_deg: 47.6014087" in resolved and "longitude_deg: 9" in resolved, "site")
+    check(run("place", out / "scene.resolved.yaml", "-o", again).returncode == 0, "the resolved scene")
+    check((again / "sensors.csv").read_bytes() == (out / "sensors.csv").read_bytes(), "the same plan")
+    return out
+
+
+def other_tables(folder, out):
+    """Sensors by longitude, latitude and z; a site 10 m higher."""
+    wanted = json.loads((out / "plan.json").read_text())["sensors"]
+    table = folder / "sensors.csv"
+    with open(table, "w") as to:
+        print("type,longitude_deg,latitude_deg,z_m,heading_deg,tilt_deg", file=to)
+        for row in rows(out / "sensors_geo.csv"):
+            print(*(row[key] for key in ("type", "longitude_deg", "latitude_deg", "z_m", "heading_deg", "tilt_deg")),
+                  sep=",", file=to)
+    done = run("sense", SCENE, *KEYS, "--sensors", table, "-o", folder / "sense", "--export", "geo-csv")
+    check(done.returncode == 0, done.stderr)
+    for sensor, row in zip(wanted, rows(folder / "sense" / "sensors_geo.csv"), strict=True):
+        for i, key in enumerate(("x_m", "y_m", "z_m")):
+            check(abs(float(row[key]) - sensor["position_m"][i]) < 1e-3, f"{row} {sensor}")
+    # above the ground of a site at 10 m all heights are 10 m less
+    done = run("place", SCENE, *KEYS, "--set", "site.altitude_m=10", "--set", "domain.min_m=[-298, -238, 380]",
+               "-o", folder / "high", "--export", "geo-csv")
+    check(done.returncode == 0, done.stderr)
+    heights = {row["longitude_deg"] + row["latitude_deg"]: row for row in rows(out / "sensors_geo.csv")}
+    for row in rows(folder / "high" / "sensors_geo.csv"):
+        check(abs(float(row["height_m"]) - float(row["z_m"]) - 10) < 1e-9, f"{row}")
+        same = heights.get(row["longitude_deg"] + row["latitude_deg"])
+        check(same is None or abs(float(same["z_m"]) - float(row["z_m"]) - 10) < 1e-3, f"{row} {same}")
+    # targets above the ground
+    targets = folder / "targets.csv"
+    targets.write_text("longitude_deg,latitude_deg,above_ground_m\n9.0003,47.6012,1.5\n8.999,47.602,1.5\n")
+    done = run("place", SCENE, *KEYS, "--set", f"placement.targets={{points: {targets}}}", "-o", folder / "targets")
+    check(done.returncode == 0 and json.loads((folder / "targets" / "plan.json").read_text())["targets"]["points"] == 2,
+          done.stderr)
+
+
+def refused(folder):
+    table, bare = folder / "bad.csv", folder / "bare.yaml"
+    bare.write_text("murk: 1\nbands_nm: [550]\ndomain: {min_m: [-9, -9, 0], max_m: [9, 9, 9]}\n"
+                    "lights: [{type: point, position_m: [0, 0, 5], power_w: 1}]\n"
+                    "sensors: {types: [{name: n, range_m: 5}], candidates: {points: bad.csv}, count: 1}\n")
+    cases = [
+        (bare, "longitude_deg,latitude_deg,z_m\n9,47,1\n", [], "site.longitude_deg and site.latitude_deg"),
+        (bare, "longitude_deg,z_m\n9,1\n", [], "misses column x_m"),
+        (bare, "x_m,y_m\n1,1\n", [], "above_ground_m in place of z_m"),
+        (bare, "x_m,y_m,above_ground_m\n1,1,1\n", [], "the domain has no ground"),
+        (bare, "longitude_deg,latitude_deg,z_m\n9,47,1\n", ["--set", "site={latitude_deg: -47, longitude_deg: 9}"],
+         "must be within 2000 km of the site"),
+        (bare, "x_m,y_m,z_m\n1,1,1\n", ["--export", "geojson"], "need a place on the earth"),
+        (SCENE, "", ["--set", "site.latitude_deg=47"], "or none of them"),
+        (SCENE, "", ["--set", "site.latitude_deg=10", "--set", "site.longitude_deg=9"], "must be within 2000 km of the site"),
+        (SCENE, "", ["--set", "geometry.0.geotiff.band=2"], "band is 2, must be 1..1"),
+        (SCENE, "", ["--set", "geometry.0.geotiff.within_m=[5, 0, 1, 9]"], "x0 < x1"),
+        (SCENE, "", ["--set", "geometry.0.geotiff.error_m=-1"], "0..10000 m"),
+        (SCENE, "", ["--set", "geometry.0.geotiff=scenes/terrain/masts.csv"], "is no GeoTIFF file that can be read")]
+    for scene, text, words, wanted in cases:
+        table.write_text(text)
+        done = run("place", scene, *words, "-o", folder / "refused")
+        lines = [line for line in done.stderr.splitlines() if "warning" not in line]
+        check(done.returncode == 2 and len(lines) == 1 and wanted in lines[0], f"{words} {wanted}: {done.stderr}")
+    check(not (folder / "refused").exists(), "nothing written")
+    done = run("trace", SCENE, *KEYS, "-o", folder / "refused", "--export", "geojson")
+    check(done.returncode == 2 and "of sensors" in done.stderr, done.stderr)
+
+
+def ground():
+    """What check says, by JSON; a plain path is short for a map."""
+    done = run("check", SCENE, *KEYS, "--format", "json")
+    g = json.loads(done.stdout)["ground"]
+    check(len(g) == 1 and g[0]["columns"] == 100 and g[0]["rows"] == 80, f"{g}")
+    check(g[0]["missing"] == 40 and g[0]["uncovered"] == 0, f"{g}")
+    check(0.4 < g[0]["error_m"] <= 0.5 and 1000 < g[0]["triangles"] < 5000, f"{g}")
+    check(abs(g[0]["spacing_m"][0] - 6 / 0.9996) < 1e-3, f"{g}")  # the scale of UTM at its meridian
+    short = run("check", SCENE, *KEYS, "--set", "geometry.0.geotiff=scenes/terrain/valley.tif", "--format", "json")
+    check(json.loads(short.stdout)["ground"][0]["triangles"] == g[0]["triangles"], "a plain path")
+
+
+def main():
+    done = run("check", SCENE, *KEYS)
+    if "install the package murk-gdal" in done.stderr:
+        print("skipped: murk-gdal is not there")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        out = plan(folder)
+        other_tables(folder, out)
+        refused(folder)
+        # what the tool writes is what lies in the repository
+        subprocess.run(["tools/make_terrain", folder / "terrain"], check=True)
+        for path in sorted((folder / "terrain").iterdir()):
+            check(path.read_bytes() == (pathlib.Path("scenes/terrain") / path.name).read_bytes(), f"{path.name}")
+    ground()
+    print(f"{checks} checks, {failures} failures")
+    sys.exit(failures > 0 or checks == 0)
+
+
+main()
