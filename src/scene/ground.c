@@ -75,6 +75,15 @@ murk_status murk_ground_complete(murk_key_reader *walk, murk_yaml *root)
                : put_degrees(walk, site, "longitude_deg", facts.longitude_deg);
 }
 
+bool murk_scene_has_ground(const murk_scene_desc *scene)
+{
+    bool has = false;
+    for (size_t i = 0; i < scene->geometries; ++i) {
+        has = has || scene->geometry[i].is_geotiff;
+    }
+    return has;
+}
+
 bool murk_scene_frame(const murk_scene_desc *scene, murk_local_frame *out)
 {
     const murk_scene_site *site = &scene->site;

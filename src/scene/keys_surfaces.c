@@ -83,15 +83,6 @@ static const murk_key GEOTIFF_ROWS[] = {
 static const murk_keys GEOTIFF = {
     .noun = "geotiff", .check = check_geotiff, .key = GEOTIFF_ROWS};
 
-bool murk_scene_has_ground(const murk_scene_desc *scene)
-{
-    bool has = false;
-    for (size_t i = 0; i < scene->geometries; ++i) {
-        has = has || scene->geometry[i].is_geotiff;
-    }
-    return has;
-}
-
 /* ---- geometry ---- */
 
 #define OF_MESH    .variants = BIT(MURK_SHAPE_MESH)

@@ -30,7 +30,7 @@ murk_status murk_table_places_find(murk_table_places *out,
         p.above = murk_table_column(table, "above_ground_m");
     }
     for (int i = 0; i < 3; ++i) {
-        if (p.at[i] < 0 && (i < 2 || p.above < 0)) {
+        if ((i < 2 || p.above < 0) && p.at[i] < 0) {
             return murk_fail(
                 err, MURK_BAD_FILE, table->path,
                 "misses column %s, must have x_m, y_m and z_m, or "

@@ -421,6 +421,44 @@ static void test_refused(void)
     }
 }
 
+/* Blocks that a file leaves out are heights of 0 to the library. Without a
+ * value for missing heights such a file is refused. */
+static void test_left_out(void)
+{
+    for (int has_nodata = 0; has_nodata < 2; ++has_nodata) {
+        char sparse[] = "SPARSE_OK=TRUE", tiled[] = "TILED=YES";
+        char *options[] = {sparse, tiled, NULL};
+        GDALDatasetH data = GDALCreate(GDALGetDriverByName("GTiff"), path, 512,
+                                       256, 1, GDT_Float32, options);
+        double transform[] = {5e5, 3, 0, 5.75e6, 0, -3};
+        OGRSpatialReferenceH system = OSRNewSpatialReference(NULL);
+        OSRSetFromUserInput(system, "EPSG:32631");
+        GDALSetGeoTransform(data, transform);
+        GDALSetSpatialRef(data, system);
+        GDALRasterBandH band = GDALGetRasterBand(data, 1);
+        if (has_nodata) {
+            GDALSetRasterNoDataValue(band, -9999);
+        }
+        /* The first of two blocks. */
+        static float h[256][256];
+        h[100][100] = 5;
+        CHECK(GDALRasterIO(band, GF_Write, 0, 0, 256, 256, h, 256, 256,
+                           GDT_Float32, 0, 0) == CE_None);
+        GDALClose(data);
+        OSRDestroySpatialReference(system);
+        const murk_geotiff_asked asked = {
+            .band = 1,
+            .has_frame = true,
+            .frame = murk_local_frame_at(51.9, 3, 0, 1)};
+        murk_error err = {0};
+        murk_mesh *mesh = read_mesh(path, &asked, &err);
+        CHECK(!mesh == !has_nodata);
+        CHECK(mesh ? mesh->terrain.known == 256 * 256
+                   : strstr(err.text, "leaves out blocks of pixels") != NULL);
+        murk_mesh_destroy(mesh);
+    }
+}
+
 /* ---- the reference ---- */
 
 static double cell(const murk_table *t, size_t row, const char *name)
@@ -499,6 +537,7 @@ int main(void)
     test_samples();
     test_within();
     test_refused();
+    test_left_out();
     unlink(path);
     if (access(DATA "small_dem_3m_merged.tif", R_OK) == 0) {
         check_reference("derived_crop_f32_deflate.tif", 0, -9999, 200, 24322);
@@ -506,5 +545,6 @@ int main(void)
     } else {
         puts("without " DATA);
     }
+    GDALDestroyDriverManager();
     return check_done();
 }
