@@ -53,7 +53,7 @@ function(murk_caught kind defect report)
         $<TARGET_FILE:defects_${kind}> ${defect} "${report}")
 endfunction()
 
-murk_sanitized(address LEVEL -O0 ROOMS base preset luminaire weather scene
+murk_sanitized(address LEVEL -O0 ROOMS base preset luminaire weather terrain scene
     TESTS base/subprocess base/file base/staging luminaire/luminaire scene/conditions scene/refusals scene/table scene/yaml)
 murk_caught(address overflow "AddressSanitizer: heap-buffer-overflow")
 murk_caught(address leak "LeakSanitizer: detected memory leaks")

@@ -118,7 +118,7 @@ targets 2 "lies in free space" '{volume: {sphere: {center_m: [1.5, 1.5, 0.5], ra
 targets 2 "open edges" "{volume: {mesh: $dir/open.obj}}"
 targets 2 "not a key of a volume (without a shape)" '{volume: {scale: 2}}'
 targets 2 "cannot read" "{points: $dir/no-such.csv}"
-list 2 "no column z_m" 'x_m,y_m\n1,1\n'
+list 2 "misses column z_m" 'x_m,y_m\n1,1\n'
 list 2 "list.csv:2" 'x_m,y_m,z_m\n1,1,9\n'
 list 2 "0 targets, must be one or more" 'x_m,y_m,z_m\n'
 list 2 "lies on a surface" 'x_m,y_m,z_m\n3,3,0\n'

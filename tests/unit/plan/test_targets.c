@@ -282,7 +282,7 @@ static void expect_refusal(const char *text, const char *part)
 
 static void test_bad_lists(void)
 {
-    expect_refusal("x_m,y_m\n1,1\n", "no column z_m");
+    expect_refusal("x_m,y_m\n1,1\n", "misses column z_m");
     expect_refusal("x_m,y_m,z_m,normal_x\n1,1,2,1\n", "all three or none");
     expect_refusal("x_m,y_m,z_m\n", "0 targets");
     expect_refusal("x_m,y_m,z_m\n5,1,1\n", "outside of the domain");
