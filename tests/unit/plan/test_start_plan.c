@@ -152,7 +152,8 @@ static void test_refused(void)
     } cases[] = {
         {"start.csv", "type,x_m,y_m,z_m\nbuoy,1,1,1\n", "start.csv:2",
          "buoy is no type of the scene's sensors"},
-        {"start.csv", "type,x_m,y_m\nnode,1,1\n", "start.csv", "misses column z_m"},
+        {"start.csv", "type,x_m,y_m\nnode,1,1\n", "start.csv",
+         "misses column z_m"},
         {"start.csv", "type,x_m,y_m,z_m\nnode,1,1,9\n", "start.csv:2",
          "lies outside the domain"},
         {"start.json", "{\"places\": []}", "start.json",
