@@ -44,14 +44,27 @@ static double irradiance_of(const murk_stage *stage, size_t light)
 /* Prints the share of the irradiance on the line above that the media of the
  * domain absorb or scatter. The weather is part of that irradiance already, so
  * fog in the scene may dim the light a second time. */
-static void print_taken(const murk_stage *stage, size_t light)
+static void print_taken(double share)
 {
-    const murk_daylight_loss taken = murk_daylight_loss_of(stage, light);
-    if (taken.is_known && taken.share > 0) {
+    if (share > 0) {
         murk_print("            the domain's media take %.3g %% of this again, "
                    "before a surface or water\n",
-                   100 * taken.share);
+                   100 * share);
     }
+}
+
+/* That share of n lights, of which `first` is the first; 0 if it is not
+ * known. */
+static double taken_of(const murk_stage *stage, size_t first, size_t n)
+{
+    double sum = 0, all = 0;
+    for (size_t i = first; i < first + n; ++i) {
+        const murk_daylight_loss taken = murk_daylight_loss_of(stage, i);
+        const double irradiance = stage->sky[i].irradiance_w_per_m2;
+        sum += taken.is_known ? taken.share * irradiance : 0;
+        all += irradiance;
+    }
+    return all > 0 ? sum / all : 0;
 }
 
 /* The power of all lights together, in the unit of a quantity. */
@@ -191,6 +204,7 @@ static void print_daylight(const murk_stage *stage, size_t first, size_t n)
                murk_units_of(stage->scene->units).irradiance, MURK_SKY_PATCHES,
                sky);
     print_body(l, &stage->sky[first]);
+    print_taken(taken_of(stage, first, n));
 }
 
 void murk_overview_print_lights(const murk_stage *stage)
@@ -222,7 +236,7 @@ void murk_overview_print_lights(const murk_stage *stage)
                    murk_source_type_name(l->type), irradiance_of(stage, i),
                    murk_units_of(scene->units).irradiance);
         print_body(l, facts);
-        print_taken(stage, i);
+        print_taken(taken_of(stage, i, 1));
     }
 }
 

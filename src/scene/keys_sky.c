@@ -282,7 +282,10 @@ murk_status murk_check_sky(murk_key_reader *walk, const murk_yaml *map,
     murk_status status = MURK_OK;
     inherit(&light->site, &walk->scene->site);
     if (cover && strcmp(cover->text, MURK_SCENE_BY_WEATHER) == 0) {
-        status = murk_weather_choose(walk, map);
+        status = murk_weather_check_light(walk, map);
+        if (!status) {
+            status = murk_weather_choose(walk, map);
+        }
         light->by_weather = true;
         light->cover = murk_weather_cover(&walk->scene->weather.seen);
     }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/log.h"
 #include "base/number.h"
 #include "scene/keys_rows.h"
 #include "weather/report.h"
@@ -48,6 +49,26 @@ const murk_keys murk_weather_keys = {
 
 /* ---- the observation ---- */
 
+/* Warns if the site lies elsewhere than the file says. */
+static void warn_of_place(const murk_scene_desc *scene,
+                          const murk_scene_weather *weather)
+{
+    const double far_deg = 1; /* some 100 km */
+    const murk_scene_site *site = &scene->site;
+    const murk_weather_year *year = weather->year;
+    double east = fabs(site->longitude_deg - year->longitude_deg);
+    east = fmin(east, fabs(east - 360));
+    if (site->has_latitude && site->has_longitude &&
+        (fabs(site->latitude_deg - year->latitude_deg) > far_deg ||
+         east > far_deg)) {
+        murk_warn(weather->where,
+                  "the site at %.6g, %.6g is not where %s was made, at %.6g, "
+                  "%.6g: sun and measured light do not belong together",
+                  site->latitude_deg, site->longitude_deg, weather->epw,
+                  year->latitude_deg, year->longitude_deg);
+    }
+}
+
 murk_status murk_weather_choose(murk_key_reader *walk, const murk_yaml *node)
 {
     const murk_scene_desc *scene = walk->scene;
@@ -76,6 +97,7 @@ murk_status murk_weather_choose(murk_key_reader *walk, const murk_yaml *node)
         return murk_fail(walk->err, MURK_BAD_VALUE, weather->where,
                          "%s has no row for %s", weather->epw, time);
     }
+    warn_of_place(scene, weather);
     weather->seen = row->seen;
     weather->line = row->line;
     weather->is_chosen = true;
@@ -150,6 +172,21 @@ murk_status murk_weather_complete_light(murk_key_reader *walk, murk_yaml *map)
                    !murk_yaml_get(map, "cover")
                ? murk_walk_put_preset(walk, map, "cover", MURK_SCENE_BY_WEATHER)
                : MURK_OK;
+}
+
+murk_status murk_weather_check_light(murk_key_reader *walk,
+                                     const murk_yaml *map)
+{
+    static const char *const own[] = {"time", "latitude_deg", "longitude_deg"};
+    for (size_t i = 0; i < sizeof own / sizeof *own; ++i) {
+        if (murk_yaml_get(map, own[i])) {
+            return murk_walk_fail(walk, map,
+                                  "%s beside cover: weather, which is that of "
+                                  "site; must be one of them",
+                                  own[i]);
+        }
+    }
+    return MURK_OK;
 }
 
 murk_scene_cover murk_weather_cover(const murk_observation *seen)

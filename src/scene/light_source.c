@@ -227,7 +227,6 @@ murk_status murk_light_source_read(murk_key_reader *walk, const murk_yaml *map,
 
 /* ---- arrays ---- */
 
-/* The number of lamps of a light. */
 /* The lights that a light of the scene file stands for: the lamps of an array,
  * or the parts of daylight. */
 static size_t lights_of(const murk_scene_light *light)

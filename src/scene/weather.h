@@ -23,6 +23,11 @@ murk_status murk_weather_complete_site(murk_key_reader *walk, murk_yaml *map);
  * the scene has a weather. */
 murk_status murk_weather_complete_light(murk_key_reader *walk, murk_yaml *map);
 
+/* Fails with MURK_BAD_VALUE if a light that takes the weather states a time or
+ * a place of its own, because the weather is that of the site. */
+murk_status murk_weather_check_light(murk_key_reader *walk,
+                                     const murk_yaml *map);
+
 /* Sets the cover of a light of the sky by the clouds of the observation: clear
  * up to a quarter of the sky, overcast above seven eighths; without a statement
  * clear. */

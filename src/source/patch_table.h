@@ -2,10 +2,10 @@
  * directions are drawn in proportion to the cosine at the face. For use inside
  * src/source only.
  *
- * The patch is cut into cells of equal solid angle. The cosine is that of the
- * middle of a cell for the whole cell, which is at most 1.5 degrees wide for
- * the patches of MURK_SKY_PATCHES; a cell that the plane of the face cuts
- * counts by the mean of its corners in front of the face. */
+ * The patch is cut into cells of equal solid angle: 1.5 degrees wide for
+ * patches of base/daylight_parts.h at the horizon, up to 5 degrees near the
+ * zenith. In a cell the cosine is bilinear between the corners, where it is 0
+ * behind the face. */
 #ifndef MURK_SOURCE_PATCH_TABLE_H
 #define MURK_SOURCE_PATCH_TABLE_H
 

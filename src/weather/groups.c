@@ -31,6 +31,14 @@ murk_status murk_groups_cut(murk_groups *out, const char *text,
                          shown);
     }
     memcpy(out->text, text, length + 1);
+    /* The sign = ends a report. */
+    char *end = strchr(out->text, '=');
+    if (end && strspn(end, "= \t\r\n") != strlen(end)) {
+        return murk_fail(
+            err, MURK_BAD_VALUE, where,
+            "text behind the = that ends a weather report, must be "
+            "one report");
+    }
     for (char *g = strtok_r(out->text, " \t\r\n=", &rest); g;
          g = strtok_r(NULL, " \t\r\n=", &rest)) {
         if (out->n == MURK_GROUPS_MAX) {

@@ -18,6 +18,7 @@ typedef struct metar {
     murk_groups groups;
     murk_observation *out;
     bool has_visibility, has_cover, has_rain_class;
+    int stated; /* groups of the observation that were read */
 } metar;
 
 /* ---- visibility ---- */
@@ -40,8 +41,9 @@ static bool read_miles(const char *text, double whole, double *out)
     const size_t down = strspn(under, digits);
     if (up < 1 || up > 3 || down < 1 || down > 2 || under[down] != '\0' ||
         (text[up] != '/' && text[up] != '\0') ||
-        murk_group_number(under, down) == 0) {
-        return false;
+        (text[up] == '/' &&
+         murk_group_number(under, down) <= murk_group_number(text, up))) {
+        return false; /* also 11/2, which lacks a blank */
     }
     *out = whole +
            (double)murk_group_number(text, up) / murk_group_number(under, down);
@@ -299,8 +301,7 @@ static bool is_passed_over(const char *group)
     const bool is_recent = strncmp(group, "RE", 2) == 0 &&
                            strlen(group) % 2 == 0 && strlen(group) <= 10;
     const bool is_sea = group[0] == 'W' && strchr(group, '/');
-    return is_runway || is_recent || is_sea || is_wind(group) ||
-           murk_group_is(group, "????????");
+    return is_runway || is_recent || is_sea || murk_group_is(group, "????????");
 }
 
 /* Remarks of the United States: the rain of the hour in hundredths of an inch
@@ -347,10 +348,9 @@ static void take_group(metar *m, size_t k)
         take_metres(m, group) || take_kilometres(m, group) ||
         take_weather(m, group) || take_clouds(m, group) ||
         take_temperatures(m, group) || take_pressure(m, group) ||
-        is_passed_over(group)) {
-        return;
-    }
-    if (m->out->unknown[0] == '\0') {
+        is_wind(group)) {
+        ++m->stated;
+    } else if (!is_passed_over(group) && m->out->unknown[0] == '\0') {
         murk_group_append(m->out->unknown, group);
     }
 }
@@ -406,5 +406,7 @@ murk_status murk_metar_read(murk_observation *out, const char *text,
             take_group(&m, k);
         }
     }
-    return MURK_OK;
+    return m.stated > 0
+               ? MURK_OK
+               : fail_form(&m.groups, m.groups.n, "an observation", where, err);
 }

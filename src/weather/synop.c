@@ -59,11 +59,12 @@ typedef struct weather_codes {
 } weather_codes;
 
 /* Code table 4677, of observers. 20 to 29 are weather that has ceased; 40 is
- * fog at a distance, 10 mist, 11 and 12 shallow fog. */
+ * fog at a distance, 10 mist, 11 and 12 shallow fog, 36 and 37 snow that drifts
+ * below the eyes. */
 static const weather_codes BY_OBSERVER[] = {
     {4, 10, MURK_WEATHER_HAZE, false, false, 0},
     {30, 35, MURK_WEATHER_HAZE, false, false, 0},
-    {36, 39, MURK_WEATHER_SNOW, false, false, 0},
+    {38, 39, MURK_WEATHER_SNOW, false, false, 0},
     {41, 49, MURK_WEATHER_FOG, false, false, 0},
     {50, 51, MURK_WEATHER_NONE, true, false, 0},
     {52, 53, MURK_WEATHER_NONE, true, false, 1},
@@ -100,6 +101,8 @@ static const weather_codes BY_STATION[] = {
     {43, 43, MURK_WEATHER_NONE, false, true, 0},
     {44, 44, MURK_WEATHER_NONE, false, true, 2},
     {45, 46, MURK_WEATHER_SNOW, false, false, 0},
+    {47, 47, MURK_WEATHER_NONE, false, true, 0},
+    {48, 48, MURK_WEATHER_NONE, false, true, 2},
     {50, 51, MURK_WEATHER_NONE, true, false, 0},
     {52, 52, MURK_WEATHER_NONE, true, false, 1},
     {53, 53, MURK_WEATHER_NONE, true, false, 2},
@@ -185,16 +188,26 @@ static void take_group(synop *s, const char *group)
     }
 }
 
+/* True for a group that ends section 1: 333, 444, 555, or 222 with the course
+ * of a ship. */
+static bool ends_section(const char *group)
+{
+    return murk_group_is(group, "333") || murk_group_is(group, "444") ||
+           murk_group_is(group, "555") || murk_group_is(group, "222??");
+}
+
 /* Reads the groups behind Nddff up to the end of section 1. The group of rain
  * comes before that of weather, so rain is read in a second pass. */
 static void read_section(synop *s, size_t k)
 {
     const char *const *group = s->groups.group;
     size_t end = k;
-    while (end < s->groups.n && strlen(group[end]) == 5 &&
-           strncmp(group[end], "222", 3) != 0) {
-        take_group(s, group[end]);
-        ++end;
+    for (; end < s->groups.n && !ends_section(group[end]); ++end) {
+        if (murk_group_is(group[end], "?????")) {
+            take_group(s, group[end]);
+        } else if (s->out->unknown[0] == '\0') {
+            murk_group_append(s->out->unknown, group[end]);
+        }
     }
     for (; k < end; ++k) {
         if (murk_group_is(group[k], "60000") && s->rain_code < 2) {
@@ -247,7 +260,10 @@ murk_status murk_synop_read(murk_observation *out, const char *text,
     }
     /* Section 1: iRixhVV and Nddff, then the groups by their first digit. */
     const char *head = group[first], *wind = group[first + 1];
-    if (!murk_group_is(head, "?????")) {
+    /* Indicators of rain are 0 to 4 and, in some countries, 6 to 8; those of
+     * weather 1 to 7 (code tables 1819 and 1860). */
+    if (!murk_group_is(head, "?????") || strchr("59", head[0]) ||
+        strchr("089", head[1])) {
         return fail_group(&s, first, "indicators and visibility, such as 11/05",
                           where, err);
     }

@@ -20,6 +20,7 @@
         */
 #define HEADER_MAX 64 /* lines; the dictionary has 8 */
 #define HOUR_MIN   60
+#define MISSING_KM 9999.0 /* and all above, as some converters write */
 #define DAY_MIN    (24 * HOUR_MIN)
 #define MINUTE_S   60.0
 #define DAY_S      86400.0
@@ -53,9 +54,10 @@ typedef struct epw {
     murk_error *err;
     murk_weather_year *out;
     size_t reserved;
-    size_t cells;             /* of each row; 0: no row was read yet */
-    int periods;              /* stretches of rows, by DATA PERIODS */
-    int last_month, last_day; /* of the last stretch; 0: not stated */
+    size_t cells; /* of each row; 0: no row was read yet */
+    int periods;  /* stretches of rows, by DATA PERIODS */
+    int first_month, first_day, last_month,
+        last_day; /* of the first and the last stretch; 0: not stated */
     char *cell[CELLS_MAX];
 } epw;
 
@@ -113,25 +115,20 @@ typedef struct column {
 static murk_status read_number(const epw *f, const column *c, double *out)
 {
     const char *text = f->cell[c->cell];
-    double value;
+    double value = NAN;
     char allowed[80];
     *out = NAN;
-    if (text[0] == '\0') {
+    if (text[0] == '\0' ||
+        (murk_number_parse(text, &value) && value == c->missing)) {
+        return MURK_OK;
+    }
+    if (value >= c->min && value <= c->max) {
+        *out = value;
         return MURK_OK;
     }
     snprintf(allowed, sizeof allowed, "a number, %g..%g, or %g where missing",
              c->min, c->max, c->missing);
-    if (!murk_number_parse(text, &value)) {
-        return fail_cell(f, c->name, text, allowed);
-    }
-    if (value == c->missing) {
-        return MURK_OK;
-    }
-    if (!(value >= c->min && value <= c->max)) {
-        return fail_cell(f, c->name, text, allowed);
-    }
-    *out = value;
-    return MURK_OK;
+    return fail_cell(f, c->name, text, allowed);
 }
 
 static murk_status read_whole(const epw *f, const char *name, int cell, int min,
@@ -139,13 +136,13 @@ static murk_status read_whole(const epw *f, const char *name, int cell, int min,
 {
     double value;
     char allowed[64];
-    snprintf(allowed, sizeof allowed, "a whole number, %d..%d", min, max);
-    if (!murk_number_parse(f->cell[cell], &value) || value != floor(value) ||
-        !(value >= min && value <= max)) {
-        return fail_cell(f, name, f->cell[cell], allowed);
+    if (murk_number_parse(f->cell[cell], &value) && value == floor(value) &&
+        value >= min && value <= max) {
+        *out = (int)value;
+        return MURK_OK;
     }
-    *out = (int)value;
-    return MURK_OK;
+    snprintf(allowed, sizeof allowed, "a whole number, %d..%d", min, max);
+    return fail_cell(f, name, f->cell[cell], allowed);
 }
 
 /* ---- the header ---- */
@@ -165,12 +162,8 @@ static murk_status read_location(epw *f)
         return fail(f, f->line,
                     "must begin with LOCATION and have 10 cells (an EPW file)");
     }
-    /* The name, printable, then the four numbers, none of which may miss. */
+    /* The four numbers, none of which may miss. */
     if (!status) {
-        snprintf(out->place, sizeof out->place, "%.60s", f->cell[1]);
-        for (char *c = out->place; *c; ++c) {
-            *c = *c >= ' ' && *c < 127 ? *c : '?';
-        }
         status = read_number(f, &latitude, &out->latitude_deg);
     }
     if (!status) {
@@ -192,16 +185,26 @@ static murk_status read_location(epw *f)
     return status;
 }
 
-/* Takes the end of the last period from the cells of DATA PERIODS: month and
- * day, with a year behind them in some files. Other forms are passed over. */
-static void take_end(epw *f)
+/* Reads month and day, with a year behind them in some files. Other forms are
+ * passed over, and leave 0. */
+static void take_date(const char *text, int *month, int *day)
 {
-    const int first = 3, per_period = 4, end = 3; /* cells */
-    const int at = first + per_period * (f->periods - 1) + end;
-    int month, day;
-    if (at < CELLS_MAX && sscanf(f->cell[at], "%2d/%2d", &month, &day) == 2) {
-        f->last_month = month;
-        f->last_day = day;
+    int m, d;
+    if (sscanf(text, "%2d/%2d", &m, &d) == 2) {
+        *month = m;
+        *day = d;
+    }
+}
+
+/* Takes the begin of the first period and the end of the last from the cells of
+ * DATA PERIODS: for each a name, the day of the week, begin and end. */
+static void take_ends(epw *f)
+{
+    const int begin = 5, per_period = 4; /* cells */
+    const int end = begin + 1 + per_period * (f->periods - 1);
+    take_date(f->cell[begin], &f->first_month, &f->first_day);
+    if (end < CELLS_MAX) {
+        take_date(f->cell[end], &f->last_month, &f->last_day);
     }
 }
 
@@ -239,7 +242,7 @@ static murk_status read_header(epw *f)
         }
         f->out->interval_min = status ? 0 : HOUR_MIN / per_hour;
         if (!status) {
-            take_end(f);
+            take_ends(f);
         }
         return status;
     }
@@ -250,40 +253,45 @@ static murk_status read_header(epw *f)
 
 /* ---- the weather codes ---- */
 
+/* The rate of rain by a digit of the codes: 0, 1, 2 are light, moderate and
+ * heavy, 3 to 5 and 6 to 8 the same of other kinds, 9 is none. */
+static double rain_of_digit(char digit, bool is_drizzle)
+{
+    return digit == '9' ? 0 : murk_rain_of_class(is_drizzle, (digit - '0') % 3);
+}
+
 /* The nine digits of the weather codes, each of which is 9 where there is
- * nothing; they count if the column before them is 0. Digits (TMY2 User's
- * Manual, Marion and Urban 1995, table A-1): rain, drizzle, snow, snow showers,
- * sleet, fog, haze, hail. */
-static murk_status read_codes(const epw *f, murk_observation *seen,
-                              double observed)
+ * nothing; they count if the column before them is 0, and are missing if they
+ * are not nine digits. Digits (TMY2 User's Manual, Marion and Urban 1995, table
+ * A-1): rain; drizzle, which 0 to 2 are rain squalls of; snow, snow showers,
+ * sleet, fog, haze. */
+static void take_codes(const epw *f, murk_observation *seen, double observed)
 {
     enum { RAIN_AT = 1, DRIZZLE_AT, SNOW_AT, SHOWERS_AT, SLEET_AT, FOG_AT };
-    const int haze_at = FOG_AT + 1, n = 9;
-    const char *given = f->cell[CODES];
-    char code[10];
-    const size_t length = strlen(given);
-    if (!(observed == 0) || given[0] == '\0') {
-        return MURK_OK;
+    enum { HAZE_AT = FOG_AT + 1, DIGITS = 9 };
+    const char *code = f->cell[CODES];
+    if (!(observed == 0) || strlen(code) != DIGITS ||
+        strspn(code, "0123456789") != DIGITS) {
+        return;
     }
-    if (length > (size_t)n || strspn(given, "0123456789") != length) {
-        return fail_cell(f, "the weather codes", given, "nine digits");
-    }
-    /* Zeros that lead are often left out. */
-    memset(code, '0', (size_t)n);
-    memcpy(code + (size_t)n - length, given, length);
-    code[n] = '\0';
     const bool is_snow = code[SNOW_AT] != '9' || code[SHOWERS_AT] != '9' ||
                          code[SLEET_AT] != '9';
     /* Fog, ice fog and ground fog; 3 and 4 are dust and sand. */
     const bool is_fog = strchr("0125678", code[FOG_AT]) != NULL;
     const bool is_haze =
-        code[FOG_AT] == '3' || code[FOG_AT] == '4' || code[haze_at] != '9';
+        code[FOG_AT] == '3' || code[FOG_AT] == '4' || code[HAZE_AT] != '9';
     seen->kind = is_snow   ? MURK_WEATHER_SNOW
                  : is_fog  ? MURK_WEATHER_FOG
                  : is_haze ? MURK_WEATHER_HAZE
                            : MURK_WEATHER_NONE;
     snprintf(seen->weather, sizeof seen->weather, "%s", code);
-    return MURK_OK;
+    /* The class of rain counts where no amount is stated. */
+    if (!(seen->rain_mm_per_h > 0)) {
+        seen->rain_mm_per_h =
+            fmax(rain_of_digit(code[RAIN_AT], false),
+                 rain_of_digit(code[DRIZZLE_AT], code[DRIZZLE_AT] > '2'));
+        seen->rain_is_by_word = seen->rain_mm_per_h > 0;
+    }
 }
 
 /* ---- rows ---- */
@@ -322,7 +330,7 @@ static murk_status read_values(const epw *f, murk_observation *seen)
         {{"the diffuse irradiance", DIFFUSE, 0, 2000, 9999},
          &seen->diffuse_w_per_m2},
         {{"the sky cover", SKY_COVER, 0, 10, 99}, &cover_tenths},
-        {{"the visibility", VISIBILITY, 0, 777.7, 9999}, &km},
+        {{"the visibility", VISIBILITY, 0, 99999, 9999}, &km},
         {{"the observation indicator", OBSERVED, 0, 9, 9}, &observed},
         {{"the precipitation", RAIN, 0, 500, 999}, &rain_mm},
         {{"the hours of precipitation", RAIN_HOURS, 0, 24, 99}, &rain_hours},
@@ -338,7 +346,7 @@ static murk_status read_values(const epw *f, murk_observation *seen)
      * files that leave the column empty in dry hours. */
     seen->pressure_hpa = pressure_pa / 100;
     seen->sky_cover = cover_tenths / 10;
-    if (!isnan(km)) {
+    if (km < MISSING_KM) {
         set_visibility(seen, km);
     }
     if (rain_mm > 0) {
@@ -348,7 +356,8 @@ static murk_status read_values(const epw *f, murk_observation *seen)
         return fail_cell(f, "the hours of precipitation", f->cell[RAIN_HOURS],
                          "longer for so much rain");
     }
-    return read_codes(f, seen, observed);
+    take_codes(f, seen, observed);
+    return MURK_OK;
 }
 
 static murk_status read_time(const epw *f, murk_weather_row *row)
@@ -365,6 +374,11 @@ static murk_status read_time(const epw *f, murk_weather_row *row)
         status =
             read_whole(f, "the day", DAY, 1, days[row->month - 1], &row->day);
     }
+    /* February 29 of a year that has none. */
+    const murk_date date = {row->year, row->month, row->day};
+    if (!status && murk_date_of_days(murk_date_days(date)).day != row->day) {
+        return fail_cell(f, "the day", f->cell[DAY], "a day of that year");
+    }
     if (!status) {
         status = read_whole(f, "the hour", HOUR, 1, 24, &hour);
     }
@@ -376,7 +390,7 @@ static murk_status read_time(const epw *f, murk_weather_row *row)
     const bool is_hourly = interval == HOUR_MIN;
     row->ends_min = hour * HOUR_MIN + (is_hourly ? 0 : minute - HOUR_MIN);
     row->line = (int)f->line;
-    return !status && row->ends_min % interval != 0
+    return !status && (row->ends_min % interval != 0 || row->ends_min < 1)
                ? fail_cell(f, "the minute", f->cell[MINUTE],
                            "the end of an interval")
                : status;
@@ -406,8 +420,9 @@ static int number_of(const murk_weather_row *row, int interval_min)
     return (int)day * (DAY_MIN / interval_min) + row->ends_min / interval_min;
 }
 
-/* True if a row is the interval after the one before it: also March 1 after
- * February 28, and January 1 after the end of the year. */
+/* True if a row is the interval after the one before it: also the first of
+ * March 1 after the last of February 28, and of January 1 after that of the
+ * year. Rows of one day are of one year. */
 static bool follows(const murk_weather_row *before, const murk_weather_row *row,
                     int interval_min)
 {
@@ -415,16 +430,30 @@ static bool follows(const murk_weather_row *before, const murk_weather_row *row,
     const int per_day = DAY_MIN / interval_min;
     const int step =
         number_of(row, interval_min) - number_of(before, interval_min);
-    const bool is_march = before->month == 2 && row->month == 3;
-    return step == 1 || step == 1 - DAYS * per_day ||
-           (is_march && step == 1 + per_day);
+    const bool is_day = before->month == row->month && before->day == row->day;
+    const bool is_march = before->month == 2 && before->day == 28 &&
+                          before->ends_min == DAY_MIN && row->month == 3;
+    return (step == 1 && (!is_day || before->year == row->year)) ||
+           step == 1 - DAYS * per_day || (is_march && step == 1 + per_day);
 }
 
-/* Checks the last row against the end that DATA PERIODS states. */
-static murk_status check_end(const epw *f)
+/* Checks the first and the last row against DATA PERIODS. */
+static murk_status check_ends(const epw *f)
 {
-    const murk_weather_row *last = &f->out->row[f->out->n - 1];
+    const murk_weather_row *first = &f->out->row[0],
+                           *last = &f->out->row[f->out->n - 1];
     char text[120];
+    if (f->first_month > 0 &&
+        (first->month != f->first_month || first->day != f->first_day ||
+         first->ends_min != f->out->interval_min)) {
+        snprintf(
+            text, sizeof text,
+            "begins with minute %d of %02d-%02d, must begin with the first "
+            "of %02d-%02d, as DATA PERIODS says",
+            first->ends_min, first->month, first->day, f->first_month,
+            f->first_day);
+        return fail(f, (size_t)first->line, text);
+    }
     if (f->last_month == 0 ||
         (last->month == f->last_month && last->day == f->last_day &&
          last->ends_min == DAY_MIN)) {
@@ -482,7 +511,7 @@ static murk_status read_rows(epw *f)
     if (!status && f->out->n == 0) {
         return fail(f, f->csv.line, "has no rows behind DATA PERIODS");
     }
-    return status ? status : check_end(f);
+    return status ? status : check_ends(f);
 }
 
 /* ---- files ---- */
@@ -494,7 +523,11 @@ murk_status murk_weather_year_parse(murk_weather_year **out, const char *path,
              .csv = {.next = text, .end = text + size, .line = 1},
              .err = err,
              .reserved = 8784};
+    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8 */
     f.csv.is_one_line = true;
+    if (strncmp(text, mark, sizeof mark - 1) == 0) {
+        f.csv.next += sizeof mark - 1;
+    }
     if (strlen(text) != size) {
         return fail(&f, 1, "has a byte 0, must be text");
     }

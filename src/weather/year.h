@@ -16,8 +16,8 @@
 
 #include <stddef.h>
 
-/* Largest size of a file: a year of minutes has some 100 MB. */
-#define MURK_WEATHER_BYTES_MAX 200000000
+/* Largest size of a file: a year of minutes has some 60 to 100 MB. */
+#define MURK_WEATHER_BYTES_MAX 110000000
 
 /* A row of the file. */
 typedef struct murk_weather_row {
@@ -31,7 +31,6 @@ typedef struct murk_weather_year {
     double latitude_deg, longitude_deg, altitude_m;
     int zone_min;     /* of the local standard time, minutes east of UTC */
     int interval_min; /* length of the interval of a row */
-    char place[64];   /* printable ASCII; may be empty */
     size_t n;
     murk_weather_row row[]; /* [n], in the order of the file */
 } murk_weather_year;

@@ -139,7 +139,30 @@ def hours(folder):
     check(text.count("\n") >= 1, text)
 
 
+def level(folder):
+    """Photons through a level plane in an empty domain: diffuse plus direct times the sine of the elevation."""
+    (folder / "level.yaml").write_text(YARD.split("geometry:")[0].replace("[400, 700]", "[300, 4000]") + (
+        "lights: [{type: sun}, {type: sky}]\nphotons: {emit: 400000, maps: none}\n"
+        "tallies: [{name: level, type: plane, point_m: [10, 10, 5], normal: [0, 0, -1]}]\n"))
+    compared = 0
+    for hour in (6, 8, 10, 12, 15, 18):
+        time = f"site.time=2025-06-02T{hour:02d}:30:00+01:00"
+        sky = checked(folder, "level.yaml", "--set", time)
+        weather, elevation_deg = sky["weather"], sky["lights"]["sky"][0]["elevation_deg"]
+        want = weather["diffuse_w_per_m2"] + weather["direct_w_per_m2"] * math.sin(math.radians(elevation_deg))
+        run(folder, "trace", "level.yaml", "--quiet", "-o", "level", "--force", "--set", time)
+        tally = [t for t in csv.DictReader(open(folder / "level/tallies.csv")) if t["direction"] == "forward"][0]
+        value, sigma = float(tally["value"]) / 400, float(tally["standard_error"]) / 400
+        # 6 comparisons of 4 sigma: false alarm 4e-4; a factor of 1.03 fails
+        check(abs(value - want) <= 4 * sigma, time, value, want, sigma)
+        check(abs(value - 1.03 * want) > 4 * sigma, time, value, want, sigma)
+        check(abs(want - weather["global_w_per_m2"]) <= .02 * want + 1, time, want, weather)
+        compared += want > 50
+    check(compared == 6, compared)
+
+
 with tempfile.TemporaryDirectory() as name:
     reports(pathlib.Path(name))
     hours(pathlib.Path(name))
+    level(pathlib.Path(name))
 sys.exit(1 if failures else 0)

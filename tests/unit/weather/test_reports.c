@@ -112,6 +112,7 @@ static void test_others(void)
     CHECK_NEAR(got.sky_cover, 3.5 / 8, 0);
     CHECK(
         isnan(metar("EGHI 150650Z 06001KT 9999 ////// //// Q////").sky_cover));
+    CHECK_TEXT(metar("EGHI 150650Z 06001KT 11/2SM 11/10").unknown, "11/2SM");
     CHECK_TEXT(metar("EGHI 150650Z 06001KT 9999 QFE99 11/10").unknown, "QFE99");
 }
 
@@ -141,6 +142,10 @@ static void test_synop(void)
     CHECK(synop("AAXX 15061 10384 11/05 /0302 73144").kind ==
           MURK_WEATHER_HAZE);
     CHECK(isnan(synop("AAXX 15061 10384 46/// /0302 10052").visibility_m));
+    /* A group that is not known is named, and those behind it count. */
+    got = synop("AAXX 15061 10384 11/05 80302 1005 77344 333 74544");
+    CHECK_TEXT(got.unknown, "1005");
+    CHECK(got.kind == MURK_WEATHER_SNOW);
 }
 
 static void test_refused(void)
@@ -155,6 +160,10 @@ static void test_refused(void)
         {false, "EGHI 320650Z 9999", "day and time"},
         {false, "EGHI 152450Z 9999", "day and time"},
         {false, "EGHI 150650Z NIL", "observation"},
+        {false, "EGHI 150650Z AUTO COR", "observation"},
+        {false, "EGHI 150650Z 9999=EGHI 150750Z 0100 FG=", "one report"},
+        {true, "AAXX 15061 10384 80302 10052 74544", "visibility"},
+        {true, "AAXX 15061 10384 10/05 80302 10052", "visibility"},
         {false, "EGHI 150650Z", "observation"},
         {false, "TAF EGHI 150650Z 9999", "station"},
         {true, "ZZXX 15061", "AAXX"},
