@@ -18,12 +18,13 @@
 #define CELLS_MIN                                                 \
     29 /* of older files, which end behind the precipitable water \
         */
-#define HEADER_MAX 64 /* lines; the dictionary has 8 */
-#define HOUR_MIN   60
-#define MISSING_KM 9999.0 /* and all above, as some converters write */
-#define DAY_MIN    (24 * HOUR_MIN)
-#define MINUTE_S   60.0
-#define DAY_S      86400.0
+#define HEADER_MAX   64 /* lines; the dictionary has 8 */
+#define HOUR_MIN     60
+#define UNLIMITED_KM 777.7  /* an unlimited visibility */
+#define MISSING_KM   9999.0 /* and all above, as some converters write */
+#define DAY_MIN      (24 * HOUR_MIN)
+#define MINUTE_S     60.0
+#define DAY_S        86400.0
 
 /* Columns of a row, from 0. */
 enum {
@@ -301,8 +302,8 @@ static void take_codes(const epw *f, murk_observation *seen, double observed)
  * which TMY2 reports up to 160.9 km. */
 static void set_visibility(murk_observation *seen, double km)
 {
-    const double us_limit = 16.1, unlimited = 777.7, farthest = 160.9;
-    const bool is_unlimited = km >= unlimited;
+    const double us_limit = 16.1, farthest = 160.9;
+    const bool is_unlimited = km >= UNLIMITED_KM;
     const bool is_limit = is_unlimited || fabs(km - us_limit) < .05;
     seen->visibility_m = 1000 * (is_unlimited ? farthest : km);
     seen->visibility_limit =
@@ -346,6 +347,10 @@ static murk_status read_values(const epw *f, murk_observation *seen)
      * files that leave the column empty in dry hours. */
     seen->pressure_hpa = pressure_pa / 100;
     seen->sky_cover = cover_tenths / 10;
+    if (km > UNLIMITED_KM && km < MISSING_KM) {
+        return fail_cell(f, "the visibility", f->cell[VISIBILITY],
+                         "0..777.7 km, or 9999 where missing");
+    }
     if (km < MISSING_KM) {
         set_visibility(seen, km);
     }
