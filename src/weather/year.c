@@ -448,6 +448,7 @@ static murk_status check_ends(const epw *f)
     const murk_weather_row *first = &f->out->row[0],
                            *last = &f->out->row[f->out->n - 1];
     char text[120];
+    /* The first row, then the last. */
     if (f->first_month > 0 &&
         (first->month != f->first_month || first->day != f->first_day ||
          first->ends_min != f->out->interval_min)) {

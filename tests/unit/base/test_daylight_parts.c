@@ -65,6 +65,7 @@ static murk_vec3 sun_at(double latitude, double declination, double hour)
 static void test_shares(void)
 {
     int all = 0, low = 0, gaps = 0;
+    /* Suns at all latitudes, days and hours. */
     for (int i = 0; i < 20000; ++i) {
         const murk_random4 r = murk_random(7, MURK_TEST, (uint64_t)i, 0, 0);
         const double latitude_deg = -80 + 160 * r.u[0];

@@ -116,6 +116,7 @@ static void test_codes(void)
         {"8,8,9,3,0,0", "999,99", MURK_WEATHER_NONE, 0},
         {"8,8,9,3,9,929999999", "999,99", MURK_WEATHER_NONE, 0},
     };
+    /* Each in a file of one row. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         char text[1000];
         murk_error err = {0};
