@@ -453,6 +453,9 @@ static murk_status read_section(reader *r)
     if (IS("VENT")) {
         return read_vents(r);
     }
+    if (IS("GEOM") && r->run->geom_line > 0) {
+        return bad(r, "has a second section GEOM, must have one", NULL);
+    }
     if (IS("GEOM")) {
         r->run->geom_line = r->line;
         return need_name(r, r->run->geom, sizeof r->run->geom);

@@ -33,7 +33,10 @@ static void fill(const parts *p, float *vertex, uint32_t *triangle)
         }
     }
     const murk_fds_geom *g = p->geom;
-    memcpy(&vertex[12 * walls], g->vertex, 3 * g->vertices * sizeof *vertex);
+    if (g->vertices > 0) { /* a run without GEOM has no arrays */
+        memcpy(&vertex[12 * walls], g->vertex,
+               3 * g->vertices * sizeof *vertex);
+    }
     for (size_t i = 0; i < g->triangles; ++i) {
         uint32_t *to = &triangle[8 * walls + 4 * i];
         for (size_t k = 0; k < 3; ++k) {
