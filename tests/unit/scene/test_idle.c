@@ -94,6 +94,9 @@ static const idle_case CASES[] = {
      "site={latitude_deg: 52, longitude_deg: 5, time: 2026-06-21T12:00:00Z, "
      "time_zone: Z}",
      NULL},
+    {"weather", "media.fog={extinction_per_m: 0.1, albedo: 1}",
+     "media.fog={preset: weather}",
+     "weather={metar: 'EGHI 150650Z 0500 11/10'}", NULL},
 };
 #define N_CASES (sizeof CASES / sizeof *CASES)
 

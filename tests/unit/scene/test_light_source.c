@@ -171,7 +171,8 @@ static void test_refusals(void)
     CHECK_REFUSED(HEAD "lights: [" LAMP_AT ", array: {count: [100, 3], "
                        "step1_m: [1, 0, 0], step2_m: [0, 1, 0]}}]\n",
                   VALUE, "fog.yaml:2:1: lights",
-                  "300 lights with the lamps of arrays, must be at most 256");
+                  "300 lights with the lamps of arrays and the parts of "
+                  "daylight, must be at most 256");
     CHECK_REFUSED(HEAD "bands_nm: [900]\nlights: [" LAMP_AT
                        ", temperature_k: 3000}]\n",
                   VALUE, "fog.yaml:3:10: lights.0",

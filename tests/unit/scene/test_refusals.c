@@ -329,7 +329,7 @@ static void test_lights(void)
     CHECK_REFUSED(
         HEAD "lights:\n  - {power_w: 1}\n", VALUE, "fog.yaml:3:5: lights.0",
         "misses type, must be sphere, rect, point, beam, directional, sun, "
-        "moon, sky, night_sky, luminaire");
+        "moon, sky, night_sky, luminaire, daylight");
     CHECK_REFUSED(HEAD "lights:\n  - {type: point, position_m: [0, 0, 0]}\n",
                   VALUE, "fog.yaml:3:5: lights.0",
                   "misses power_w, must be a number (the total), 0..1e15 W, or "
