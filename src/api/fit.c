@@ -136,7 +136,8 @@ static murk_status read_input(murk_fit *f, const char *data,
                            .n_bounds = options->n_bounds,
                            .may_be_none = f->only_predicts,
                            .measured = f->measured,
-                           .domain = domain};
+                           .domain = domain,
+                           .imported = &f->imported};
     /* One list of texts: the bounds, then the keys. */
     char **all = calloc(options->n_bounds + n + 1, sizeof *all);
     f->text = all;

@@ -229,7 +229,7 @@ static murk_status make_one(cJSON **out, const request *asked, murk_error *err)
         status = read_scene(&r, asked, err);
     }
     if (!status) {
-        status = murk_phases_create(&r.phases, r.scene, err);
+        status = murk_phases_create(&r.phases, r.scene, NULL, err);
     }
     murk_progress_end();
     *out = status ? NULL : one_json(&r);

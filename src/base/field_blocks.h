@@ -25,11 +25,13 @@ typedef struct murk_field_block {
     bool has_nodes;
 } murk_field_block;
 
-/* The first part of the packed form: texts for users. */
+/* The first part of the packed form: texts for users, and facts. */
 typedef struct murk_field_head {
     char name[128];    /* what the values are */
     char note[256];    /* how they were obtained */
     char warning[256]; /* of values that are limits or missing; empty: none */
+    double effective_radius_um; /* of droplets, the mean by extinction; 0: no
+                                 * droplets */
 } murk_field_head;
 
 /* The size of a block as it is packed. */

@@ -132,9 +132,14 @@ murk_status murk_free_optics(murk_optics **out, const murk_free_keys *keys,
                              size_t c, const double *value, murk_error *err)
 {
     murk_scene_desc *scene = NULL;
+    const murk_imported_stages *imported = keys->desc.imported;
+    const murk_fillings *fillings =
+        imported
+            ? murk_imported_stage_of(imported, keys->condition[c])->fillings
+            : NULL;
     const murk_status status = murk_free_scene(&scene, keys, c, value, err);
     return status ? status
-                  : murk_optics_create(out, scene, keys->desc.domain,
+                  : murk_optics_create(out, scene, keys->desc.domain, fillings,
                                        keys->power_w ? keys->power_w[c] : NULL,
                                        err);
 }

@@ -8,6 +8,7 @@
 #define MURK_CALIBRATE_FREE_KEYS_H
 
 #include "base/arena.h"
+#include "calibrate/imported_stages.h"
 #include "calibrate/optics.h"
 #include "readings/readings.h"
 #include "scene/yaml.h"
@@ -72,6 +73,9 @@ typedef struct murk_free_desc {
                        * parameter */
     const murk_readings *measured;
     const murk_domain *domain;
+    const murk_imported_stages *imported; /* of the scene, whose files no free
+                                           * key changes; NULL if no medium has
+                                           * `effective_variance` */
 } murk_free_desc;
 
 typedef struct murk_free_keys {

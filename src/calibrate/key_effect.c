@@ -37,6 +37,7 @@ static void drop_optics(murk_yaml *medium)
     }
     murk_yaml_remove(medium, "extinction_per_m");
     murk_yaml_remove(medium, "phase");
+    murk_yaml_remove(medium, "effective_variance");
     for (int i = 0; i < MURK_WORDS; ++i) {
         murk_yaml_remove(medium, murk_word_rows[i].name);
     }

@@ -13,7 +13,8 @@ static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
     return murk_no_memory(err, scene->path, "for its optics");
 }
 
-static murk_status fill_media(murk_optics *o, murk_error *err)
+static murk_status fill_media(murk_optics *o, const murk_fillings *fillings,
+                              murk_error *err)
 {
     const murk_scene_desc *scene = o->scene;
     o->extinction_per_m = calloc(o->media + 1, sizeof *o->extinction_per_m);
@@ -21,14 +22,19 @@ static murk_status fill_media(murk_optics *o, murk_error *err)
     if (!o->extinction_per_m || !o->albedo) {
         return no_memory(scene, err);
     }
+    const murk_status status =
+        murk_phases_create(&o->phases, scene, fillings, err);
+    if (status) {
+        return status;
+    }
     for (size_t i = 0; i < o->media; ++i) {
         const murk_scene_medium *m = &scene->media[i];
-        o->albedo[i] = m->albedo;
+        o->albedo[i] = o->phases->source[i]->albedo;
         o->extinction_per_m[i] = murk_scene_states_extinction(m)
                                      ? murk_spectrum_flat(1, scene->bands)
                                      : m->extinction_per_m;
     }
-    return murk_phases_create(&o->phases, scene, err);
+    return MURK_OK;
 }
 
 static murk_status copy_power(murk_optics *o, const double *power_w,
@@ -43,8 +49,9 @@ static murk_status copy_power(murk_optics *o, const double *power_w,
 }
 
 murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
-                               const murk_domain *domain, const double *power_w,
-                               murk_error *err)
+                               const murk_domain *domain,
+                               const murk_fillings *fillings,
+                               const double *power_w, murk_error *err)
 {
     murk_optics *o = calloc(1, sizeof *o);
     if (!o) {
@@ -58,7 +65,7 @@ murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
     o->media = scene->n_media;
     o->bands = scene->bands;
     o->channels = scene->n_lights * (size_t)scene->bands;
-    murk_status status = fill_media(o, err);
+    murk_status status = fill_media(o, fillings, err);
     if (!status) {
         status =
             power_w ? copy_power(o, power_w, err)

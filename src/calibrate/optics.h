@@ -33,11 +33,12 @@ typedef struct murk_optics_sides {
 
 /* Takes ownership of the scene, also after a failure. power_w[channels], unless
  * NULL, is copied; otherwise the powers are those of the light sources in the
- * domain. Prints no warnings: building the world of the scene prints them. The
- * caller owns *out. */
+ * domain. fillings are as in murk_phases_create(). Prints no warnings: building
+ * the world of the scene prints them. The caller owns *out. */
 murk_status murk_optics_create(murk_optics **out, murk_scene_desc *scene,
-                               const murk_domain *domain, const double *power_w,
-                               murk_error *err);
+                               const murk_domain *domain,
+                               const murk_fillings *fillings,
+                               const double *power_w, murk_error *err);
 void murk_optics_destroy(murk_optics *optics); /* NULL is fine */
 
 /* True if the phase functions of a medium agree in a band, to 1e-7 of the

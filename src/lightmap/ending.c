@@ -31,7 +31,8 @@ static bool absorbs(const murk_stage *stage, int band)
         }
     }
     for (size_t i = 0; i < scene->n_regions; ++i) {
-        const murk_scene_medium *m = &scene->media[scene->regions[i].medium];
+        const murk_scene_medium *m =
+            stage->phases->source[scene->regions[i].medium];
         if (m->albedo_grid || !is_whole(m->albedo.band[band])) {
             return true;
         }

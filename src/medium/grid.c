@@ -526,6 +526,7 @@ static void describe_field(murk_grid *grid, const murk_field_head *head,
              (int)sizeof head->name - 1, head->name);
     snprintf(facts->note, sizeof facts->note, "%.*s",
              (int)sizeof head->note - 1, head->note);
+    facts->effective_radius_um = head->effective_radius_um;
     facts->active = field->n_values;
     facts->minimum = field->minimum;
     facts->maximum = field->maximum;

@@ -38,11 +38,13 @@ typedef struct murk_grid_facts {
     size_t memory_bytes;
     /* Rectilinear grids: active counts values, voxel_m has the smallest cell
      * along each axis, and index_to_world is the identity. */
-    size_t blocks;        /* 0: a grid of voxels */
-    bool has_nodes;       /* a block has values at nodes */
-    murk_box box;         /* of all blocks [m] */
-    uint64_t checksum[2]; /* of all edges and values */
-    char note[256];       /* how the values were obtained */
+    size_t blocks;              /* 0: a grid of voxels */
+    bool has_nodes;             /* a block has values at nodes */
+    murk_box box;               /* of all blocks [m] */
+    uint64_t checksum[2];       /* of all edges and values */
+    char note[256];             /* how the values were obtained */
+    double effective_radius_um; /* of droplets, the mean by extinction; 0: no
+                                 * droplets */
 } murk_grid_facts;
 
 /* Dense samples in memory: the data of a file "memory:NAME"

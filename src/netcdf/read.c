@@ -390,6 +390,9 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
     nc_inq_varname(r->file, from->first, name);
     snprintf(head->name, sizeof head->name, "%.100s", name);
     describe(head->note, sizeof head->note, r, frame[0], weight > 0, &found);
+    head->effective_radius_um = found.weight > 0
+                                    ? found.weighted / found.weight
+                                    : r->request->asked.effective_radius_um;
     if (r->missing > 0) {
         snprintf(head->warning, sizeof head->warning,
                  "%zu values are missing in the file and count as 0",

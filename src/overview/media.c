@@ -55,7 +55,7 @@ static const murk_phase *phase_of(const murk_stage *stage, size_t medium,
  * found when the table was normalised. */
 static cJSON *phase_json(const murk_stage *stage, size_t medium, int band)
 {
-    const murk_scene_medium *m = &stage->scene->media[medium];
+    const murk_scene_medium *m = stage->phases->source[medium];
     const murk_phase *phase = phase_of(stage, medium, band);
     cJSON *item = cJSON_CreateObject();
     cJSON_AddStringToObject(item, "kind", murk_phases_kind(m, band));
@@ -131,7 +131,7 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage)
     const murk_scene_desc *scene = stage->scene;
     cJSON *media = cJSON_AddArrayToObject(root, "media");
     for (size_t i = 0; i < scene->n_media; ++i) {
-        const murk_scene_medium *m = &scene->media[i];
+        const murk_scene_medium *m = stage->phases->source[i];
         cJSON *item = murk_json_item(media);
         cJSON_AddStringToObject(item, "name", m->name);
         /* Coefficients: a profile, a spectrum or grids. */
@@ -143,6 +143,11 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage)
         }
         if (!m->albedo_grid) {
             murk_json_numbers(item, "albedo", m->albedo.band, scene->bands);
+        }
+        if (m->effective_variance > 0) {
+            murk_json_number(item, "effective_radius_um",
+                             m->effective_radius_um);
+            murk_json_number(item, "effective_variance", m->effective_variance);
         }
         add_phases(item, stage, i);
         add_grid(item, "grid", stage->fillings->grid[i]);
@@ -173,7 +178,7 @@ void murk_overview_json_media(cJSON *root, const murk_stage *stage)
 static void print_phase(const murk_stage *stage, size_t medium, int band)
 {
     const murk_phase *phase = phase_of(stage, medium, band);
-    const char *kind = murk_phases_kind(&stage->scene->media[medium], band);
+    const char *kind = murk_phases_kind(stage->phases->source[medium], band);
     murk_print("%s, mean cosine %.6g", kind, murk_phase_mean_cosine(phase));
     if (phase->table) {
         murk_print(", %.4g backward",
@@ -221,7 +226,7 @@ static void print_phases(const murk_stage *stage, size_t medium)
 static void print_medium(const murk_stage *stage, size_t medium)
 {
     const murk_scene_desc *scene = stage->scene;
-    const murk_scene_medium *m = &scene->media[medium];
+    const murk_scene_medium *m = stage->phases->source[medium];
     const murk_fillings *fillings = stage->fillings;
     const murk_grid *grid = fillings->grid[medium];
     const murk_grid *albedo = fillings->albedo[medium];
@@ -253,6 +258,10 @@ static void print_medium(const murk_stage *stage, size_t medium)
                    facts->background);
     } else {
         murk_print(", albedo %.4g", m->albedo.band[0]);
+    }
+    if (m->effective_variance > 0) {
+        murk_print(" of droplets, r %.4g um, variance %.4g",
+                   m->effective_radius_um, m->effective_variance);
     }
     const murk_grid_facts *facts = grid ? murk_grid_describe(grid) : NULL;
     if (facts && facts->blocks > 0) {

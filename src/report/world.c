@@ -53,7 +53,8 @@ static murk_status build_media(murk_report_scene *s, size_t state,
                                const murk_scene_desc *of, murk_error *why)
 {
     murk_shown_state *to = &s->state[state];
-    const murk_status status = murk_phases_create(&to->phases, of, why);
+    const murk_status status =
+        murk_phases_create(&to->phases, of, to->fillings, why);
     return status ? status
                   : murk_stage_media(&to->media, s->stage, of, to->fillings,
                                      to->phases, why);

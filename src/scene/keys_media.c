@@ -1,6 +1,6 @@
-/* Keys of media (homogeneous, grid, profile, preset, or preset with the density
- * of a grid), of their phase functions and albedo, and of the regions that they
- * fill. */
+/* Keys of media (homogeneous, grid, profile, preset, fields of files, with a
+ * preset or without), of their phase functions and albedo, and of the regions
+ * that they fill. */
 #include "scene/keys_rows.h"
 
 #include <math.h>
@@ -20,8 +20,17 @@ enum {
     MEDIUM_FDS,
     MEDIUM_PRESET_FDS,
     MEDIUM_NETCDF,
-    MEDIUM_PRESET_NETCDF
+    MEDIUM_PRESET_NETCDF,
+    MEDIUM_DROPLETS_NETCDF
 };
+
+/* True if a NetCDF file holds droplets and the map does not say how they
+ * scatter. */
+static bool leaves_optics_to_droplets(const murk_yaml *map)
+{
+    return murk_yaml_get(map, "netcdf") && !murk_yaml_get(map, "variable") &&
+           !murk_yaml_get(map, "albedo") && !murk_yaml_get(map, "phase");
+}
 
 static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
                                  int *variant)
@@ -34,11 +43,12 @@ static murk_status choose_medium(murk_key_reader *walk, const murk_yaml *map,
                                                   : MEDIUM_PRESET;
         return MURK_OK;
     }
-    *variant = murk_yaml_get(map, "vdb")       ? MEDIUM_GRID
-               : murk_yaml_get(map, "profile") ? MEDIUM_PROFILE
-               : murk_yaml_get(map, "fds")     ? MEDIUM_FDS
-               : murk_yaml_get(map, "netcdf")  ? MEDIUM_NETCDF
-                                               : MEDIUM_HOMOGENEOUS;
+    *variant = murk_yaml_get(map, "vdb")        ? MEDIUM_GRID
+               : murk_yaml_get(map, "profile")  ? MEDIUM_PROFILE
+               : murk_yaml_get(map, "fds")      ? MEDIUM_FDS
+               : leaves_optics_to_droplets(map) ? MEDIUM_DROPLETS_NETCDF
+               : murk_yaml_get(map, "netcdf")   ? MEDIUM_NETCDF
+                                                : MEDIUM_HOMOGENEOUS;
     return MURK_OK;
 }
 
@@ -210,20 +220,31 @@ static const char *const MEDIUM_VARIANTS[] = {
     "preset in the smoke of an FDS run",
     "NetCDF file",
     "preset in a NetCDF file",
+    "droplets of a NetCDF file",
     NULL};
 
 const murk_word murk_phase_words[] = {
     {"isotropic", MURK_PHASE_HG}, {"rayleigh", MURK_PHASE_RAYLEIGH}, WORDS_END};
 
-#define GRIDS  BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
-#define FDS    BIT(MEDIUM_FDS) | BIT(MEDIUM_PRESET_FDS)
-#define NETCDF BIT(MEDIUM_NETCDF) | BIT(MEDIUM_PRESET_NETCDF)
+#define GRIDS BIT(MEDIUM_GRID) | BIT(MEDIUM_PRESET_GRID)
+#define FDS   BIT(MEDIUM_FDS) | BIT(MEDIUM_PRESET_FDS)
+#define NETCDF \
+    BIT(MEDIUM_NETCDF) | BIT(MEDIUM_PRESET_NETCDF) | BIT(MEDIUM_DROPLETS_NETCDF)
 #define PRESETS                                                             \
     BIT(MEDIUM_PRESET) | BIT(MEDIUM_PRESET_GRID) | BIT(MEDIUM_PRESET_FDS) | \
         BIT(MEDIUM_PRESET_NETCDF)
 #define PLAIN                                                          \
     BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID) | BIT(MEDIUM_PROFILE) | \
         BIT(MEDIUM_FDS) | BIT(MEDIUM_NETCDF)
+
+/* NetCDF files of which a variable may be named in place of droplets. */
+#define VARIABLE BIT(MEDIUM_NETCDF) | BIT(MEDIUM_PRESET_NETCDF)
+
+/* The gamma distributions of these effective variances v have the powers of r
+ * 1/v - 3 of 0..37, which are in the range 0..40 of the preset cloud/droplets.
+ */
+#define VARIANCE_MIN .025
+#define VARIANCE_MAX .33
 
 /* A word of presets (preset/words.h); each preset states its own range. */
 #define WORD_ROW(name, id, ...)                 \
@@ -291,10 +312,13 @@ static const murk_key MEDIUM_ROWS[] = {
     ROW("effective_radius_um", NUMBER, .variants = NETCDF, .above = true,
         .max = 1e6, .unit = "um", .selects_files = true,
         MEDIUM(effective_radius_um)),
-    ROW("variable", TEXT, .variants = NETCDF, MEDIUM(variable)),
+    ROW("effective_variance", NUMBER, .variants = BIT(MEDIUM_DROPLETS_NETCDF),
+        .min = VARIANCE_MIN, .max = VARIANCE_MAX, .preset = "0.1",
+        MEDIUM(effective_variance)),
+    ROW("variable", TEXT, .variants = VARIABLE, MEDIUM(variable)),
     ROW("word", WORD, .variants = BIT(MEDIUM_PRESET_NETCDF),
         .words = AMOUNT_WORDS, MEDIUM(word), FLAG(murk_scene_medium, by_word)),
-    ROW("per_unit", NUMBER, .variants = NETCDF, .max = 1e9, .unit = "1/m",
+    ROW("per_unit", NUMBER, .variants = VARIABLE, .max = 1e9, .unit = "1/m",
         .preset = "1", .selects_files = true, MEDIUM(per_unit)),
     ROW("time_s", NUMBER, .variants = FDS, NEEDED, .min = -1e9, .max = 1e9,
         .unit = "s", .selects_files = true, MEDIUM(time_s)),
@@ -320,9 +344,9 @@ const murk_keys murk_medium_keys = {
     .noun = "medium",
     .choose = choose_medium,
     .variant_names = MEDIUM_VARIANTS,
-    .variant_needs =
-        (const char *const[]){"", "vdb", "profile", "preset", "preset vdb",
-                              "fds", "preset fds", "netcdf", "preset netcdf"},
+    .variant_needs = (const char *const[]){"", "vdb", "profile", "preset",
+                                           "preset vdb", "fds", "preset fds",
+                                           "netcdf", "preset netcdf", "netcdf"},
     .complete = murk_medium_preset_complete,
     .check = check_medium,
     WHERE(murk_scene_medium, where),

@@ -15,6 +15,9 @@
 #include "scene/presets.h"
 #include "scene/weather.h"
 
+/* The preset of droplets of any size. */
+#define DROPLETS "cloud/droplets"
+
 /* ---- words ---- */
 
 /* The place of a key of the medium, for messages; if the key is missing, the
@@ -120,6 +123,14 @@ murk_status murk_medium_preset_complete(murk_key_reader *walk, murk_yaml *map)
 
 /* ---- numbers ---- */
 
+static murk_preset_bands bands_of(const murk_scene_desc *scene)
+{
+    return (murk_preset_bands){.n = scene->bands,
+                               .line_nm = scene->band_nm,
+                               .edge_nm = scene->has_edges ? scene->band_edge_nm
+                                                           : NULL};
+}
+
 static murk_status check_ranges(murk_key_reader *walk, const murk_yaml *map,
                                 const murk_preset *preset,
                                 const murk_words *words)
@@ -167,6 +178,19 @@ static void fill_phase(murk_scene_phase *out, murk_mixture **mixture)
     }
 }
 
+/* Gives the medium the phase functions of the result, which loses the mixtures
+ * that the medium then owns. */
+static void fill_phases(murk_scene_medium *medium, murk_preset_result *result,
+                        int bands)
+{
+    medium->n_phases = (size_t)bands;
+    for (int band = 0; band < bands; ++band) {
+        murk_scene_phase *phase = &medium->phase[band];
+        memcpy(phase->where, medium->where, sizeof phase->where);
+        fill_phase(phase, &result->mixture[band]);
+    }
+}
+
 static void fill(murk_scene_medium *medium, const murk_yaml *map,
                  murk_preset_result *result, int bands)
 {
@@ -177,12 +201,7 @@ static void fill(murk_scene_medium *medium, const murk_yaml *map,
         medium->albedo = result->albedo;
     }
     if (!murk_yaml_get(map, "phase")) {
-        medium->n_phases = (size_t)bands;
-        for (int band = 0; band < bands; ++band) {
-            murk_scene_phase *phase = &medium->phase[band];
-            memcpy(phase->where, medium->where, sizeof phase->where);
-            fill_phase(phase, &result->mixture[band]);
-        }
+        fill_phases(medium, result, bands);
     }
 }
 
@@ -287,10 +306,7 @@ murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
                                     murk_scene_medium *medium)
 {
     const murk_scene_desc *scene = walk->scene;
-    const murk_preset_bands bands = {
-        .n = scene->bands,
-        .line_nm = scene->band_nm,
-        .edge_nm = scene->has_edges ? scene->band_edge_nm : NULL};
+    const murk_preset_bands bands = bands_of(scene);
     /* Read the preset, check the words, and evaluate it for the bands of the
      * scene. */
     murk_preset *preset = NULL;
@@ -317,6 +333,60 @@ murk_status murk_medium_preset_fill(murk_key_reader *walk, const murk_yaml *map,
     murk_preset_result_release(&result);
     murk_preset_destroy(preset);
     return status;
+}
+
+/* ---- droplets of a file ---- */
+
+murk_status murk_medium_droplets_fill(murk_scene_medium *out,
+                                      const murk_scene_medium *medium,
+                                      double radius_um,
+                                      const murk_scene_desc *scene,
+                                      murk_error *err)
+{
+    murk_scene_medium made = *medium;
+    made.effective_radius_um = radius_um;
+    made.albedo = same_in_all(1);
+    made.n_phases = 1;
+    made.phase[0] = (murk_scene_phase){.kind = MURK_PHASE_HG};
+    if (!(radius_um > 0)) {
+        *out = made;
+        return MURK_OK;
+    }
+    /* The number of droplets of radius r goes as r^(1/v - 3) exp(-r / (R v))
+     * for the effective radius R and the effective variance v. */
+    const double v = medium->effective_variance;
+    const murk_words words = {
+        .value[MURK_WORD_DROPLET_SHAPE] = {1 / v - 3, 1 / (radius_um * v), 1},
+        .given[MURK_WORD_DROPLET_SHAPE] = true};
+    const murk_preset_bands bands = bands_of(scene);
+    murk_preset *preset = NULL;
+    murk_preset_result result = {0};
+    murk_error cause = {0};
+    murk_status status =
+        murk_presets_read(&preset, DROPLETS, medium->where, err);
+    if (!status) {
+        status = murk_preset_evaluate(&result, preset, &words, &bands,
+                                      medium->where, &cause);
+    }
+    if (cause.code) {
+        murk_fail(err, status, medium->where, "%s%s", cause.text,
+                  status == MURK_BAD_VALUE ? "; or give albedo and phase" : "");
+    }
+    if (!status) {
+        made.albedo = result.albedo;
+        fill_phases(&made, &result, scene->bands);
+        *out = made;
+    }
+    murk_preset_result_release(&result);
+    murk_preset_destroy(preset);
+    return status;
+}
+
+void murk_medium_droplets_release(murk_scene_medium *medium)
+{
+    for (size_t k = 0; k < medium->n_phases; ++k) {
+        murk_mixture_destroy(medium->phase[k].mixture);
+    }
 }
 
 /* ---- the light's key ---- */
@@ -348,10 +418,10 @@ static void put_mixture(FILE *out, const murk_mixture *mixture)
     }
 }
 
-static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
+/* Prints the albedo and the phase functions. */
+static void put_scattering(FILE *out, const murk_scene_medium *medium,
+                           size_t bands)
 {
-    fprintf(out, "preset %s:", medium->preset);
-    put_numbers(out, medium->extinction_per_m.band, bands);
     put_numbers(out, medium->albedo.band, bands);
     for (size_t k = 0; k < medium->n_phases; ++k) {
         const murk_scene_phase *phase = &medium->phase[k];
@@ -369,7 +439,23 @@ static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
             put_mixture(out, phase->mixture);
         }
     }
+}
+
+static void put_medium(FILE *out, const murk_scene_medium *medium, size_t bands)
+{
+    fprintf(out, "preset %s:", medium->preset);
+    put_numbers(out, medium->extinction_per_m.band, bands);
+    put_scattering(out, medium, bands);
     put_numbers(out, medium->law.density, medium->law.n);
+    fputc('\n', out);
+}
+
+void murk_medium_droplets_sign(FILE *out, const murk_scene_medium *medium,
+                               int bands)
+{
+    fprintf(out, "droplets of %s, r in um:", medium->name);
+    put_numbers(out, &medium->effective_radius_um, 1);
+    put_scattering(out, medium, (size_t)bands);
     fputc('\n', out);
 }
 

@@ -154,6 +154,10 @@ typedef struct murk_scene_medium {
     char *liquid_water, *effective_radius, *variable; /* names of variables;
                                                        * NULL: not given */
     double effective_radius_um;                       /* 0: a variable */
+    double effective_variance; /* of the droplets of a NetCDF file, whose albedo
+                                * and phase function follow from the file:
+                                * `albedo` and `phase` here have no meaning; 0:
+                                * they count */
     double per_unit; /* extinction for one unit of `variable` [1/m], or by_word
                       * the factor to the unit of the word */
     bool by_word;    /* `variable` is the amount of a word of the preset:

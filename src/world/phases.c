@@ -2,13 +2,16 @@
  * Phase functions in closed form are set directly; Fournier-Forand, measured
  * tables (CSV) and mixtures of presets become tables (medium/phase_table.h).
  * Measured tables from one path share one table, and so do Fournier-Forand
- * functions with equal parameters. */
+ * functions with equal parameters. The albedo and the phase functions of
+ * droplets of a file are computed first (scene/medium_preset.h). */
 #include "world/phases.h"
 
 #include "base/log.h"
+#include "scene/medium_preset.h"
 #include "scene/table.h"
 #include "world/mixtures.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -152,7 +155,7 @@ static murk_status fill_medium(murk_phases *phases,
                                const murk_scene_desc *scene, size_t medium,
                                murk_error *err)
 {
-    const murk_scene_medium *m = &scene->media[medium];
+    const murk_scene_medium *m = phases->source[medium];
     murk_status status = MURK_OK;
     for (size_t k = 0; k < m->n_phases && !status; ++k) {
         const murk_phase_table *table;
@@ -167,26 +170,69 @@ static murk_status fill_medium(murk_phases *phases,
     return status;
 }
 
-murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
+static murk_status no_memory(const murk_scene_desc *scene, murk_error *err)
+{
+    return murk_no_memory(err, scene->path, "for a phase function");
+}
+
+/* Sets phases->source[medium]: for droplets of a file, computes the medium by
+ * the effective radius in the file. */
+static murk_status find_source(murk_phases *phases,
+                               const murk_scene_desc *scene,
+                               const murk_fillings *fillings, size_t medium,
                                murk_error *err)
 {
-    /* Allocate for the largest number of tables: one for each phase function.
-     */
-    murk_status status = MURK_OK;
-    murk_phases *phases = calloc(1, sizeof *phases);
+    const murk_scene_medium *m = &scene->media[medium];
+    phases->source[medium] = m;
+    if (!(m->effective_variance > 0)) {
+        return MURK_OK;
+    }
+    assert(fillings && fillings->grid[medium]);
+    const double radius_um =
+        murk_grid_describe(fillings->grid[medium])->effective_radius_um;
+    murk_scene_medium *made = malloc(sizeof *made);
+    const murk_status status =
+        made ? murk_medium_droplets_fill(made, m, radius_um, scene, err)
+             : no_memory(scene, err);
+    if (status) {
+        free(made);
+        return status;
+    }
+    phases->source[medium] = phases->droplets[medium] = made;
+    return MURK_OK;
+}
+
+/* Finds the sources of all media, and allocates for the largest number of
+ * tables: one for each phase function. */
+static murk_status prepare(murk_phases *phases, const murk_scene_desc *scene,
+                           const murk_fillings *fillings, murk_error *err)
+{
     size_t max = 0;
-    for (size_t i = 0; i < scene->n_media; ++i) {
-        max += scene->media[i].n_phases;
+    phases->media = scene->n_media;
+    phases->source = calloc(scene->n_media + 1, sizeof *phases->source);
+    phases->droplets = calloc(scene->n_media + 1, sizeof *phases->droplets);
+    phases->medium = calloc(scene->n_media + 1, sizeof *phases->medium);
+    murk_status status = phases->source && phases->droplets && phases->medium
+                             ? MURK_OK
+                             : no_memory(scene, err);
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        status = find_source(phases, scene, fillings, i, err);
+        max += status ? 0 : phases->source[i]->n_phases;
     }
-    if (phases) {
-        phases->table = calloc(max + 1, sizeof *phases->table);
-        phases->of = calloc(max + 1, sizeof *phases->of);
-        phases->medium = calloc(scene->n_media + 1, sizeof *phases->medium);
+    if (status) {
+        return status;
     }
-    if (!phases || !phases->table || !phases->of || !phases->medium) {
-        status = murk_no_memory(err, scene->path, "for a phase function");
-        goto done;
-    }
+    phases->table = calloc(max + 1, sizeof *phases->table);
+    phases->of = calloc(max + 1, sizeof *phases->of);
+    return phases->table && phases->of ? MURK_OK : no_memory(scene, err);
+}
+
+murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
+                               const murk_fillings *fillings, murk_error *err)
+{
+    murk_phases *phases = calloc(1, sizeof *phases);
+    murk_status status =
+        phases ? prepare(phases, scene, fillings, err) : no_memory(scene, err);
     /* Build the phase functions of each medium. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
         status = fill_medium(phases, scene, i, err);
@@ -195,7 +241,6 @@ murk_status murk_phases_create(murk_phases **out, const murk_scene_desc *scene,
         *out = phases;
         phases = NULL;
     }
-done:
     murk_phases_destroy(phases);
     return status;
 }
@@ -206,9 +251,17 @@ void murk_phases_destroy(murk_phases *phases)
         for (size_t i = 0; phases->table && i < phases->n; ++i) {
             murk_phase_table_destroy(phases->table[i]);
         }
+        for (size_t i = 0; phases->droplets && i < phases->media; ++i) {
+            if (phases->droplets[i]) {
+                murk_medium_droplets_release(phases->droplets[i]);
+                free(phases->droplets[i]);
+            }
+        }
         free(phases->table);
         free(phases->of);
         free(phases->medium);
+        free(phases->source);
+        free(phases->droplets);
         free(phases);
     }
 }

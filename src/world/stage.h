@@ -37,7 +37,8 @@ typedef struct murk_stage {
     murk_tally_desc *tally; /* [scene->n_tallies]; NULL if there are none */
     char *light_key; /* light_key of the scene, followed by a checksum of each
                       * file that the light depends on (those of tables of phase
-                      * functions are appended by murk_stage_build()); with
+                      * functions and how droplets of files scatter are
+                      * appended by murk_stage_build()); with
                       * equal keys, seeds and numbers of photons, stages that
                       * are built trace equal light */
     uint64_t (*mesh_sum)[2];    /* checksums of the files of the meshes, in the

@@ -11,6 +11,8 @@
 #include "base/log.h"
 #include "base/position.h"
 #include "medium/interfaces.h"
+#include "scene/medium_preset.h"
+#include "scene/print.h"
 #include "world/extent.h"
 #include "world/file_sums.h"
 #include "world/light_shares.h"
@@ -28,18 +30,26 @@
  * 168 times the longest edge. */
 #define STEP_WARNED 1e-5
 
-static murk_status append_sum(murk_stage *stage, const uint64_t sum[2],
-                              const char *where, murk_error *err)
+static murk_status append_text(murk_stage *stage, const char *text,
+                               const char *where, murk_error *err)
 {
-    const size_t old = strlen(stage->light_key), added = 64;
+    const size_t old = strlen(stage->light_key), added = strlen(text) + 1;
     char *key = realloc(stage->light_key, old + added);
     if (!key) {
         return murk_no_memory(err, where, "for its sum");
     }
-    snprintf(key + old, added, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
-             sum[1], sum[0]);
+    memcpy(key + old, text, added);
     stage->light_key = key;
     return MURK_OK;
+}
+
+static murk_status append_sum(murk_stage *stage, const uint64_t sum[2],
+                              const char *where, murk_error *err)
+{
+    char text[64];
+    snprintf(text, sizeof text, "checksum: %016" PRIx64 "%016" PRIx64 "\n",
+             sum[1], sum[0]);
+    return append_text(stage, text, where, err);
 }
 
 /* Computes the checksum of a file and appends it to the light key. The key
@@ -302,8 +312,32 @@ static murk_status share_world(murk_stage *stage, const murk_stage *other,
     return status ? status : append_field_sums(stage, err);
 }
 
-/* Builds the phase functions; checksums of tables in files are appended to the
- * light key. */
+/* Appends how droplets of files scatter to the light key: their radii are not
+ * in the checksums of grids, which hold extinctions. */
+static murk_status append_droplets(murk_stage *stage, murk_error *err)
+{
+    const murk_scene_desc *scene = stage->scene;
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < scene->n_media && !status; ++i) {
+        const murk_scene_medium *droplets = stage->phases->droplets[i];
+        char *text = NULL;
+        size_t size = 0;
+        FILE *to = droplets ? open_memstream(&text, &size) : NULL;
+        if (to) {
+            murk_medium_droplets_sign(to, droplets, scene->bands);
+            text = murk_print_finish(to, &text);
+        }
+        if (droplets) {
+            status = text ? append_text(stage, text, droplets->where, err)
+                          : murk_no_memory(err, droplets->where, "for its sum");
+        }
+        free(text);
+    }
+    return status;
+}
+
+/* Builds the phase functions; checksums of tables in files, and the phase
+ * functions of droplets, are appended to the light key. */
 static murk_status make_phases(murk_stage *stage, murk_error *err)
 {
     const murk_scene_desc *scene = stage->scene;
@@ -318,7 +352,11 @@ static murk_status make_phases(murk_stage *stage, murk_error *err)
             }
         }
     }
-    return status ? status : murk_phases_create(&stage->phases, scene, err);
+    if (!status) {
+        status =
+            murk_phases_create(&stage->phases, scene, stage->fillings, err);
+    }
+    return status ? status : append_droplets(stage, err);
 }
 
 static murk_surface_desc surface_of(const murk_scene_geometry *g,

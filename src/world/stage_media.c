@@ -34,7 +34,7 @@ static murk_medium medium_of(const murk_scene_desc *scene, size_t i,
         .extinction_per_m = murk_scene_states_extinction(m)
                                 ? murk_spectrum_flat(1, MURK_BANDS_MAX)
                                 : m->extinction_per_m,
-        .albedo = m->albedo,
+        .albedo = phases->source[i]->albedo,
         .interpolation = m->is_linear ? MURK_LINEAR : MURK_NEAREST,
         .where = m->where};
     murk_fillings_give(fillings, i, &medium);

@@ -50,7 +50,7 @@ static void try_table(const char *text, size_t size)
     murk_error err = {0};
     write_bytes("p.csv", text, size);
     const double start = seconds();
-    const murk_status status = murk_phases_create(&phases, scene, &err);
+    const murk_status status = murk_phases_create(&phases, scene, NULL, &err);
     CHECK(seconds() - start < SLOWEST_S);
     CHECK((status == MURK_OK) == (phases != NULL));
     if (phases) {

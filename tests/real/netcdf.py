@@ -3,7 +3,7 @@
 another reader (../shared/data/frontier/netcdf), and files written here with
 packed values, missing values, falling and exchanged axes, kilometres, bounds of
 cells and several times, against sums made here; effective radii as murk check
-tells them. Standard library only.
+tells them, and the droplets that follow from them. Standard library only.
 usage: netcdf.py MURK
 """
 
@@ -233,6 +233,112 @@ def compare_word(folder):
         check(isinstance(got, str) and problem in got and got.count("\n") == 1, f"{more}: {got}")
 
 
+# ---- droplets whose albedo and phase function follow from the file ----
+
+def write_droplets(file, rows):
+    """Layers of 100 m, one for each pair of liquid water content [g/m3] and effective radius [um]."""
+    write_classic(file, {"x": 2, "y": 2, "z": len(rows)}, {
+        "x": (["x"], "d", {"units": "m"}, [50, 150]), "y": (["y"], "d", {"units": "m"}, [50, 150]),
+        "z": (["z"], "d", {"units": "m", "axis": "Z"}, [50 + 100 * k for k in range(len(rows))]),
+        "lwc": (["z", "y", "x"], "d", {"units": "g m-3"}, [water for water, _ in rows for _ in range(4)]),
+        "reff": (["z", "y", "x"], "d", {"units": "um"}, [um for _, um in rows for _ in range(4)])})
+
+
+BANDS = "bands_nm: [450, 1600]\n"
+NAMES = "liquid_water: lwc, effective_radius: reff"
+
+
+def run_scene(folder, command, keys, *more, bands=BANDS):
+    (folder / "drops.yaml").write_text((SCENE % keys).replace("bands_nm: [550]\n", bands))
+    return subprocess.run([murk, command, folder / "drops.yaml", *more], text=True, capture_output=True)
+
+
+def medium_of(folder, keys, **more):
+    """The medium as murk check tells it, or the error."""
+    done = run_scene(folder, "check", keys, "--format", "json", **more)
+    return json.loads(done.stdout)["media"][0] if done.returncode == 0 else done.stderr
+
+
+def preset_of(folder, file, radius_um, variance, **more):
+    """The medium with the preset of these droplets (Hansen and Travis 1974)."""
+    return medium_of(folder, f"netcdf: {file}, {NAMES}, preset: cloud/droplets, "
+                             f"droplet_shape: [{1 / variance - 3!r}, {1 / (radius_um * variance)!r}, 1]", **more)
+
+
+def is_like(a, b, tolerance):
+    """The same albedo and phase function in each band; 1 - albedo grows with the radius."""
+    numbers = [[*medium["albedo"], *(phase[key] for phase in medium["phase"] for key in ("mean_cosine", "backward", "integral"))]
+               for medium in (a, b)]
+    return all(abs(x - y) <= tolerance * abs(y) for x, y in zip(*numbers, strict=True))
+
+
+def compare_droplets(folder):
+    """Albedo and phase function are those of the preset of the mean radius by extinction."""
+    one, two = folder / "one.nc", folder / "two.nc"
+    write_droplets(one, [(.3, 8.0), (0, 30.0), (.1, 8.0)])
+    write_droplets(two, [(.3, 6.0), (0, 30.0), (.2, 16.0)])
+    mean = (.3 / 6 * 6 + .2 / 16 * 16) / (.3 / 6 + .2 / 16)  # 8; by volume it would be 10, without weights 11
+    for bands in (BANDS, "band_edges_nm: [600, 700, 2100]\n"):
+        for file, keys, radius_um, variance in (
+                (one, NAMES, 8, .1), (one, NAMES + ", effective_variance: 0.2", 8, .2), (two, NAMES, mean, .1),
+                (two, "liquid_water: lwc, effective_radius_um: 9.5", 9.5, .1)):
+            got = medium_of(folder, f"netcdf: {file}, {keys}", bands=bands)
+            if isinstance(got, str):
+                check(False, got)
+                continue
+            check(abs(got["effective_radius_um"] - radius_um) <= 1e-12 * radius_um and got["effective_variance"] == variance,
+                  f"{keys}: {got}")
+            want = preset_of(folder, file, radius_um, variance, bands=bands)
+            check(is_like(got, want, 1e-11), f"{file.name}, {keys}: {got}, {want}")
+            # another radius, variance or shape is found
+            for wrong in ((1.001 * radius_um, variance), (radius_um, 1.001 * variance)):
+                check(not is_like(got, preset_of(folder, file, *wrong, bands=bands), 1e-11), f"{wrong} is like {radius_um}")
+    # what is told on the terminal
+    said = " ".join(run_scene(folder, "check", f"netcdf: {two}, {NAMES}").stdout.split())
+    check("albedo 1 of droplets, r 8 um, variance 0.1; lwc" in said, said)
+    # given albedos and presets count, and optical depths do not depend on the droplets
+    plain = medium_of(folder, f"netcdf: {two}, {NAMES}, albedo: 0.9")
+    check(plain["albedo"] == [.9, .9] and plain["mean_cosine"] == [0, 0] and "effective_radius_um" not in plain, f"{plain}")
+    lines = [[50.0, 50.0, -10.0, 50.0, 50.0, 500.0]]
+    check(depths(folder, f"netcdf: {two}, {NAMES}", lines) == depths(folder, f"netcdf: {two}, {NAMES}, albedo: 1", lines),
+          "optical depths")
+    # a file without droplets
+    write_droplets(folder / "none.nc", [(0, 8.0), (0, 9.0)])
+    none = medium_of(folder, f"netcdf: {folder / 'none.nc'}, {NAMES}")
+    check(none["albedo"] == [1, 1] and none["mean_cosine"] == [0, 0] and none["effective_radius_um"] == 0, f"{none}")
+    # refused, in one line
+    write_droplets(folder / "rain.nc", [(.3, 400.0), (.1, 400.0)])
+    for keys, bands, problem in (
+            (f"netcdf: {folder / 'rain.nc'}, {NAMES}", BANDS, "radius of 400, must be 0.05..50 um; or give albedo and phase"),
+            (f"netcdf: {one}, {NAMES}", "bands_nm: [2600]\n", "must be within 300..2500 nm for cloud/droplets"),
+            (f"netcdf: {one}, {NAMES}, effective_variance: 0.5", BANDS, "must be 0.025..0.33"),
+            (f"netcdf: {one}, {NAMES}, albedo: 1, effective_variance: 0.1", BANDS, "not a key of a medium (NetCDF file)"),
+            (f"netcdf: {one}, {NAMES}, phase: isotropic", BANDS, "misses albedo"),
+            (f"netcdf: {one}, variable: lwc", BANDS, "misses albedo")):
+        got = medium_of(folder, keys, bands=bands)
+        check(isinstance(got, str) and problem in got and got.count("\n") == 1, f"{keys}: {got}")
+
+
+def compare_light(folder):
+    """Stored light is that of its droplets: a file with the same extinctions and other radii does not take it over."""
+    a, b, out = folder / "a" / "drops.nc", folder / "b" / "drops.nc", folder / "light"
+    for file, factor in ((a, 1), (b, 2)):
+        file.parent.mkdir()
+        write_droplets(file, [(.25 * factor, 8.0 * factor), (.5 * factor, 8.0 * factor)])
+    keys = [f"netcdf: {file}, {NAMES}" for file in (a, b)]
+    run_scene(folder, "trace", keys[0], "-o", out, "--quiet", *SET)
+    for given, problem in ((keys[0], ""), (keys[1], 'made for another light: it has "droplets of cloud, r in um: 8'),
+                           (keys[0] + ", effective_variance: 0.2", "made for another light")):
+        done = run_scene(folder, "place", given, "-o", folder / "plan", "--force", "--quiet", "--light", out / "light.murk",
+                         *SET, "--set", SENSORS)
+        check(problem in done.stderr and (done.returncode == 0) == (problem == ""), f"{given}: {done.stderr}")
+
+
+SET = ["--set", "photons.emit=1000", "--set", "lights.0.position_m=[100, 100, 150]"]
+SENSORS = ("sensors={types: [{name: s, range_m: 5000, view: {cone_deg: 60}}], count: 1, "
+           "candidates: {grid: {min_m: [0, 0, 900], max_m: [100, 100, 1000], size: [2, 2, 2]}}}")
+
+
 if not (murk.parent / "libmurk0" / "murk-netcdf").exists():
     print("skipped: this build has no murk-netcdf")
     sys.exit(77)
@@ -243,6 +349,8 @@ with tempfile.TemporaryDirectory() as name:
     compare_own(folder)
     compare_radii(folder)
     compare_word(folder)
+    compare_droplets(folder)
+    compare_light(folder)
     if DATA.is_dir():
         compare_reference(folder, "rico32x37x26_reference.csv", "rico32x37x26.nc")
         compare_reference(folder, "rico32x37x26_3frames_reference.csv", "rico32x37x26_3frames_classic.nc")

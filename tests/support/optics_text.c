@@ -13,7 +13,7 @@ murk_optics *optics_text_create(const char *yaml, const char *const *overrides)
     murk_error err = {0};
     murk_optics *optics = NULL;
     if (!scene ||
-        murk_optics_create(&optics, scene, &scene->domain, NULL, &err)) {
+        murk_optics_create(&optics, scene, &scene->domain, NULL, NULL, &err)) {
         printf("%s: %s\n", err.where, err.text);
         exit(1);
     }

@@ -113,7 +113,8 @@ murk_free_keys *planted_keys(planted_field *f, unsigned emit, uint32_t seed)
                                  .asked = f->of->key,
                                  .n_asked = f->of->n,
                                  .measured = f->measured,
-                                 .domain = &f->stage->world.domain};
+                                 .domain = &f->stage->world.domain,
+                                 .imported = &f->imported};
     murk_free_keys *keys = NULL;
     murk_error err = {0};
     return held(murk_free_keys_create(&keys, &desc, &err), &err) ? keys : NULL;
