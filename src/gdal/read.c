@@ -38,6 +38,7 @@ struct murk_gdal_file {
     const murk_geotiff_request *request;
     GDALDatasetH data;
     GDALRasterBandH band;
+    GDALRasterBandH alpha; /* 0: no height there; NULL: there is none */
     double to_system[6], to_pixel[6]; /* corners of pixels and coordinates of
                                        * the file's system */
     size_t columns, rows;
@@ -239,6 +240,13 @@ static murk_status find_band(murk_gdal_file *f, murk_error *err)
     f->offset = has ? f->offset : 0;
     if (!(fabs(f->scale) > 0 && isfinite(f->scale) && isfinite(f->offset))) {
         return bad(f, err, "has a scale or an offset that is no number");
+    }
+    /* The library's mask has alpha bands of some types alone. */
+    for (int i = 1; i <= bands; ++i) {
+        const GDALRasterBandH other = GDALGetRasterBand(f->data, i);
+        if (GDALGetRasterColorInterpretation(other) == GCI_AlphaBand) {
+            f->alpha = other;
+        }
     }
     f->has_mask = !(GDALGetMaskFlags(f->band) & GMF_ALL_VALID);
     GDALGetRasterNoDataValue(f->band, &has);
@@ -470,9 +478,10 @@ murk_status murk_gdal_window_of(const murk_gdal_file *f, murk_gdal_window *out,
 typedef struct rows_read {
     double *value;       /* [ROWS][columns] */
     unsigned char *mask; /* the same; 0: missing */
+    double *alpha;       /* the same */
 } rows_read;
 
-/* Reads rows; all of them have values unless the file has a mask. */
+/* Reads rows. All have values unless the file has a mask or an alpha band. */
 static bool read_rows(const murk_gdal_file *f, const murk_gdal_window *w,
                       size_t row, size_t rows, const rows_read *to)
 {
@@ -483,6 +492,17 @@ static bool read_rows(const murk_gdal_file *f, const murk_gdal_window *w,
     if (is_read && f->has_mask) {
         is_read = GDALRasterIO(GDALGetMaskBand(f->band), GF_Read, x, y, nx, ny,
                                to->mask, nx, ny, GDT_Byte, 0, 0) == CE_None;
+    }
+    const size_t n = rows * w->columns;
+    if (!f->has_mask) {
+        memset(to->mask, 1, n);
+    }
+    if (is_read && f->alpha) {
+        is_read = GDALRasterIO(f->alpha, GF_Read, x, y, nx, ny, to->alpha, nx,
+                               ny, GDT_Float64, 0, 0) == CE_None;
+        for (size_t i = 0; i < n; ++i) {
+            to->mask[i] = to->mask[i] && to->alpha[i] > 0;
+        }
     }
     return is_read;
 }
@@ -542,18 +562,16 @@ murk_status murk_gdal_heights(const murk_gdal_file *f,
                               murk_terrain_facts *facts, murk_error *err)
 {
     const rows_read some = {malloc(ROWS * w->columns * sizeof *some.value),
-                            malloc(ROWS * w->columns)};
-    murk_status status = some.value && some.mask
+                            malloc(ROWS * w->columns),
+                            malloc(ROWS * w->columns * sizeof *some.alpha)};
+    murk_status status = some.value && some.mask && some.alpha
                              ? check_blocks(f, w, err)
                              : murk_no_memory(err, f->request->where,
                                               "for %zu heights", w->columns);
-    /* Without a mask all values count. */
     facts->known = 0;
     facts->low_m = INFINITY;
     facts->high_m = -INFINITY;
-    if (!status) {
-        memset(some.mask, 1, ROWS * w->columns);
-    }
+    /* Some rows at a time. */
     for (size_t row = 0; row < w->rows && !status; row += ROWS) {
         const size_t rows = w->rows - row < ROWS ? w->rows - row : ROWS;
         CPLErrorReset();
@@ -568,6 +586,7 @@ murk_status murk_gdal_heights(const murk_gdal_file *f,
     }
     free(some.value);
     free(some.mask);
+    free(some.alpha);
     if (!status && facts->known == 0) {
         status = bad(f, err, "has no heights there: all are missing");
     }

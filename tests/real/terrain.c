@@ -109,6 +109,7 @@ typedef struct sample {
     bool is_point;
     bool has_hole; /* a value for missing heights */
     bool has_mask;
+    bool has_alpha; /* a second band, which is 0 where there is no height */
 } sample;
 
 static const sample samples[] = {
@@ -176,12 +177,27 @@ static const sample samples[] = {
      GDT_UInt16,
      .options = {"COMPRESS=LZW", "PREDICTOR=2"},
      .unit_m = 1,
-     .has_mask = true}};
+     .has_mask = true},
+    {"alpha band", /* as gdalwarp -dstalpha writes it */
+     "EPSG:32631",
+     {5e5, 3, 0, 5.75e6, 0, -3},
+     GDT_Float32,
+     .options = {"ALPHA=YES"},
+     .unit_m = 1,
+     .has_alpha = true},
+    {"alpha band of 16 bits",
+     "EPSG:32631",
+     {5e5, 3, 0, 5.75e6, 0, -3},
+     GDT_Int16,
+     .options = {"ALPHA=YES"},
+     .unit_m = 1,
+     .has_alpha = true}};
 
 /* The number in the file at a pixel; NAN: none. */
 static double value_at(const sample *s, int column, int row)
 {
-    if ((s->has_hole || s->has_mask) && hypot(column - 12, row - 14) < 5) {
+    if ((s->has_hole || s->has_mask || s->has_alpha) &&
+        hypot(column - 12, row - 14) < 5) {
         return NAN;
     }
     const double h = 100 + 10 * sin(column / 5.) * cos(row / 7.);
@@ -203,8 +219,9 @@ static void write_sample(const sample *s)
     for (int i = 0; i < 4 && s->options[i]; ++i) {
         options[i] = strdup(s->options[i]);
     }
-    GDALDatasetH data = GDALCreate(GDALGetDriverByName("GTiff"), path, COLUMNS,
-                                   ROWS, 1, s->type, options);
+    GDALDatasetH data =
+        GDALCreate(GDALGetDriverByName("GTiff"), path, COLUMNS, ROWS,
+                   s->has_alpha ? 2 : 1, s->type, options);
     OGRSpatialReferenceH system = OSRNewSpatialReference(NULL);
     CHECK(data && OSRSetFromUserInput(system, s->system) == OGRERR_NONE);
     double transform[6];
@@ -239,9 +256,11 @@ static void write_sample(const sample *s)
         }
         CHECK(GDALRasterIO(band, GF_Write, 0, row, COLUMNS, 1, value, COLUMNS,
                            1, GDT_Float64, 0, 0) == CE_None);
-        if (s->has_mask) {
-            CHECK(GDALRasterIO(GDALGetMaskBand(band), GF_Write, 0, row, COLUMNS,
-                               1, mask, COLUMNS, 1, GDT_Byte, 0, 0) == CE_None);
+        if (s->has_mask || s->has_alpha) {
+            GDALRasterBandH to = s->has_mask ? GDALGetMaskBand(band)
+                                             : GDALGetRasterBand(data, 2);
+            CHECK(GDALRasterIO(to, GF_Write, 0, row, COLUMNS, 1, mask, COLUMNS,
+                               1, GDT_Byte, 0, 0) == CE_None);
         }
     }
     GDALClose(data);
