@@ -5,6 +5,7 @@
  * of the band; masks and values for missing heights make them NAN. */
 #include "gdal/read.h"
 
+#include "base/vector.h"
 #include "terrain/height_mesh.h"
 
 #include <cpl_conv.h>
@@ -42,6 +43,7 @@ struct murk_gdal_file {
     double to_system[6], to_pixel[6]; /* corners of pixels and coordinates of
                                        * the file's system */
     size_t columns, rows;
+    double turn; /* of longitude in the file's system; 0: it has none */
     OGRCoordinateTransformationH to_earth, from_earth;
     double unit_m, scale, offset;
     bool has_mask, has_nodata;
@@ -206,6 +208,9 @@ static murk_status find_system(murk_gdal_file *f, murk_error *err)
     }
     const char *name = OSRGetName(system);
     snprintf(f->crs, sizeof f->crs, "%s", name ? name : "");
+    if (OSRIsGeographic(system)) {
+        f->turn = 2 * MURK_PI / OSRGetAngularUnits(system, NULL);
+    }
     const murk_status status = find_unit(f, system, err);
     return status ? status : find_transformations(f, system, err);
 }
@@ -411,6 +416,14 @@ static bool to_pixel(const murk_gdal_file *f, const double at[2], double *c,
     double x = longitude, y = latitude;
     if (!OCTTransform(f->from_earth, 1, &x, &y, NULL)) {
         return false;
+    }
+    if (f->turn > 0) {
+        /* The longitude nearest to the middle of the file, which may cross 180
+         * degrees, or count to 360. */
+        const double *to = f->to_system;
+        const double middle = to[0] + (double)f->columns / 2 * to[1] +
+                              (double)f->rows / 2 * to[2];
+        x = middle + remainder(x - middle, f->turn);
     }
     const double *t = f->to_pixel;
     *c = t[0] + x * t[1] + y * t[2] - 0.5;

@@ -392,6 +392,39 @@ static void test_within(void)
     CHECK(strstr(err.text, "no heights inside of within_m") != NULL);
 }
 
+/* Files across 180 degrees, and with longitudes from 0 to 360: within_m finds
+ * both sides. */
+static void test_turns(void)
+{
+    static const double west_deg[] = {179.98, -180.02, 200, 359.98, -0.02};
+    for (size_t i = 0; i < sizeof west_deg / sizeof *west_deg; ++i) {
+        const sample s = {"turns",
+                          "EPSG:4326",
+                          {west_deg[i], 1e-3, 0, 10, 0, -1e-3},
+                          GDT_Float32,
+                          .unit_m = 1};
+        murk_error err = {0};
+        write_sample(&s);
+        /* A site in the middle; 25 columns of 109.6 m, and one more at each
+         * border. */
+        const murk_geotiff_asked asked = {
+            .band = 1,
+            .has_within = true,
+            .within_m = {-12.4 * 109.6, -500, 12.4 * 109.6, 500},
+            .has_frame = true,
+            .frame = murk_local_frame_at(
+                9.985, remainder(west_deg[i] + 0.0205, 360), 0, 1)};
+        murk_mesh *mesh = read_mesh(path, &asked, &err);
+        CHECK(mesh != NULL);
+        if (mesh) {
+            CHECK(mesh->terrain.columns >= 27 && mesh->terrain.columns <= 29);
+            CHECK(!isnan(height_of(mesh, (double[]){-12 * 109.6, 0})));
+            CHECK(!isnan(height_of(mesh, (double[]){12 * 109.6, 0})));
+        }
+        murk_mesh_destroy(mesh);
+    }
+}
+
 /* What is refused: the line names the file. */
 static void test_refused(void)
 {
@@ -555,6 +588,7 @@ int main(void)
     GDALRegister_GTiff();
     test_samples();
     test_within();
+    test_turns();
     test_refused();
     test_left_out();
     unlink(path);
