@@ -20,9 +20,11 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-/* Heights outside of this range are mistakes: no place on earth is 100 km above
- * or below the sea. */
-#define HEIGHT_MAX_M 1e5
+/* Heights outside of this range are mistakes: the deepest sea has 10,935 m
+ * (Greenaway and others 2021, doi:10.1016/j.dsr.2021.103644), the highest
+ * mountain 8849 m, and systems differ by some 100 m. */
+#define LOWEST_M  -12000
+#define HIGHEST_M 9000
 
 /* Rows that are read at a time: a choice, few calls and little memory. */
 #define ROWS 64
@@ -520,12 +522,12 @@ static bool read_rows(const murk_gdal_file *f, const murk_gdal_window *w,
     return is_read;
 }
 
-/* Converts a row to heights. */
+/* Converts a row to heights; *lowest: the lowest number so far. */
 static murk_status convert_row(const murk_gdal_file *f,
                                const murk_gdal_window *w, size_t row,
                                const double *value, const unsigned char *mask,
                                double *height_m, murk_terrain_facts *facts,
-                               murk_error *err)
+                               double *lowest, murk_error *err)
 {
     const murk_geotiff_asked *asked = &f->request->asked;
     for (size_t i = 0; i < w->columns; ++i) {
@@ -540,13 +542,15 @@ static murk_status convert_row(const murk_gdal_file *f,
             continue;
         }
         const double h = (v * f->scale + f->offset) * f->unit_m;
-        if (!(fabs(h) <= HEIGHT_MAX_M)) {
+        if (!(h >= LOWEST_M && h <= HIGHEST_M)) {
             return murk_fail(err, MURK_BAD_FILE, f->request->where,
                              "has the height %g m in column %zu, row %zu, must "
-                             "be %g..%g m; nodata states a value for none",
-                             h, w->column + i, w->row + row, -HEIGHT_MAX_M,
-                             HEIGHT_MAX_M);
+                             "be %d..%d m; nodata: %.9g if that stands for "
+                             "none",
+                             h, w->column + i, w->row + row, LOWEST_M,
+                             HIGHEST_M, v);
         }
+        *lowest = fmin(*lowest, v);
         height_m[i] = h - asked->altitude_m;
         facts->low_m = fmin(facts->low_m, height_m[i]);
         facts->high_m = fmax(facts->high_m, height_m[i]);
@@ -570,6 +574,25 @@ static murk_status check_blocks(const murk_gdal_file *f,
                : MURK_OK;
 }
 
+/* Lowest heights that nearly always stand for none are refused, if nothing says
+ * what does. */
+static murk_status check_lowest(const murk_gdal_file *f, double lowest,
+                                murk_error *err)
+{
+    static const double usual[] = {-999, -9999, -32767, -32768};
+    for (size_t i = 0; i < sizeof usual / sizeof *usual && !f->has_nodata;
+         ++i) {
+        if (lowest == usual[i]) {
+            return murk_fail(err, MURK_BAD_FILE, f->request->where,
+                             "has %g as its lowest number and does not say "
+                             "which one stands for no height: nodata must be "
+                             "given (%g, or another if that is a height)",
+                             lowest, lowest);
+        }
+    }
+    return MURK_OK;
+}
+
 murk_status murk_gdal_heights(const murk_gdal_file *f,
                               const murk_gdal_window *w, double *height_m,
                               murk_terrain_facts *facts, murk_error *err)
@@ -584,6 +607,7 @@ murk_status murk_gdal_heights(const murk_gdal_file *f,
     facts->known = 0;
     facts->low_m = INFINITY;
     facts->high_m = -INFINITY;
+    double lowest = INFINITY; /* number of the file */
     /* Some rows at a time. */
     for (size_t row = 0; row < w->rows && !status; row += ROWS) {
         const size_t rows = w->rows - row < ROWS ? w->rows - row : ROWS;
@@ -594,7 +618,8 @@ murk_status murk_gdal_heights(const murk_gdal_file *f,
         for (size_t k = 0; k < rows && !status; ++k) {
             status = convert_row(f, w, row + k, some.value + k * w->columns,
                                  some.mask + k * w->columns,
-                                 height_m + (row + k) * w->columns, facts, err);
+                                 height_m + (row + k) * w->columns, facts,
+                                 &lowest, err);
         }
     }
     free(some.value);
@@ -603,5 +628,5 @@ murk_status murk_gdal_heights(const murk_gdal_file *f,
     if (!status && facts->known == 0) {
         status = bad(f, err, "has no heights there: all are missing");
     }
-    return status;
+    return status ? status : check_lowest(f, lowest, err);
 }

@@ -439,7 +439,13 @@ static void test_refused(void)
          "no coordinate reference system", 1},
         {"EPSG:32631", 1, 5, "furlong", "height_unit must be given", 1},
         {"EPSG:32631", 1, 5, NULL, "band is 2, must be 1..1", 2},
-        {"EPSG:32631", 1, -3.4e38, NULL, "nodata states a value for none", 1}};
+        {"EPSG:32631", 1, -3.4e38, NULL, "nodata: -3.39999995e+38", 1},
+        {"EPSG:32631", 1, 9001, NULL, "-12000..9000 m; nodata: 9001", 1},
+        {"EPSG:32631", 1, -12001, NULL, "-12000..9000 m; nodata: -12001", 1},
+        {"EPSG:32631", 1, -999, NULL, "nodata must be given (-999,", 1},
+        {"EPSG:32631", 1, -9999, NULL, "nodata must be given (-9999,", 1},
+        {"EPSG:32631", 1, -32767, "cm", "nodata must be given (-32767,", 1},
+        {"EPSG:32631", 1, -32768, "cm", "nodata must be given (-32768,", 1}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         /* A small file with one thing wrong. */
         GDALDatasetH data = GDALCreate(GDALGetDriverByName("GTiff"), path, 3, 3,
@@ -459,16 +465,24 @@ static void test_refused(void)
         GDALClose(data);
         OSRDestroySpatialReference(system);
         /* Read it. */
-        const murk_geotiff_asked asked = {
-            .band = cases[i].band,
-            .has_frame = true,
-            .frame = murk_local_frame_at(51.9, 3, 0, 1)};
+        murk_geotiff_asked asked = {.band = cases[i].band,
+                                    .has_frame = true,
+                                    .frame =
+                                        murk_local_frame_at(51.9, 3, 0, 1)};
         murk_error err = {0};
         CHECK(!read_mesh(path, &asked, &err));
         CHECK(strstr(err.where, path) != NULL);
         if (!strstr(err.text, cases[i].text)) {
             printf("%s: %s, want %s\n", err.where, err.text, cases[i].text);
             CHECK(false);
+        }
+        /* A low number is a height if another stands for none. */
+        if (strstr(cases[i].text, "must be given (")) {
+            asked.has_nodata = true;
+            asked.nodata = 5;
+            murk_mesh *mesh = read_mesh(path, &asked, &err);
+            CHECK(mesh && mesh->terrain.low_m < -300);
+            murk_mesh_destroy(mesh);
         }
     }
 }
