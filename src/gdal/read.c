@@ -48,6 +48,7 @@ struct murk_gdal_file {
     double turn; /* of longitude in the file's system; 0: it has none */
     OGRCoordinateTransformationH to_earth, from_earth;
     double unit_m, scale, offset;
+    bool is_depth; /* heights count downwards */
     bool has_mask, has_nodata;
     char unit_from[sizeof((murk_terrain_facts *)0)->unit_from];
     char crs[sizeof((murk_terrain_facts *)0)->crs];
@@ -154,6 +155,11 @@ static murk_status find_unit(murk_gdal_file *f, OGRSpatialReferenceH system,
         f->unit_m = OSRGetTargetLinearUnits(system, "VERT_CS", NULL);
         from = "CRS";
     }
+    if (OSRIsVertical(system)) {
+        OGRAxisOrientation up = OAO_Up;
+        OSRGetAxis(system, "VERT_CS", 0, &up);
+        f->is_depth = up == OAO_Down;
+    }
     snprintf(f->unit_from, sizeof f->unit_from, "%s", from);
     return f->unit_m > 0 && isfinite(f->unit_m)
                ? MURK_OK
@@ -213,31 +219,45 @@ static murk_status find_system(murk_gdal_file *f, murk_error *err)
     if (OSRIsGeographic(system)) {
         f->turn = 2 * MURK_PI / OSRGetAngularUnits(system, NULL);
     }
-    const murk_status status = find_unit(f, system, err);
+    /* Facts alone need no unit. */
+    const murk_status status =
+        f->request->asked.has_frame ? find_unit(f, system, err) : MURK_OK;
     return status ? status : find_transformations(f, system, err);
+}
+
+static murk_status find_size(murk_gdal_file *f, murk_error *err)
+{
+    f->columns = (size_t)GDALGetRasterXSize(f->data);
+    f->rows = (size_t)GDALGetRasterYSize(f->data);
+    return f->columns >= 2 && f->rows >= 2
+               ? MURK_OK
+               : murk_fail(
+                     err, MURK_BAD_FILE, f->request->where,
+                     "has %zu by %zu pixels, must be 2 or more on each side",
+                     f->columns, f->rows);
 }
 
 static murk_status find_band(murk_gdal_file *f, murk_error *err)
 {
     const int bands = GDALGetRasterCount(f->data);
-    const uint64_t band = f->request->asked.band;
-    if (band < 1 || band > (uint64_t)bands) {
+    const uint64_t asked = f->request->asked.band, band = asked ? asked : 1;
+    if (band > (uint64_t)bands) {
         return murk_fail(err, MURK_BAD_VALUE, f->request->where,
                          "band is %llu, must be 1..%d",
                          (unsigned long long)band, bands);
     }
     f->band = GDALGetRasterBand(f->data, (int)band);
-    f->columns = (size_t)GDALGetRasterXSize(f->data);
-    f->rows = (size_t)GDALGetRasterYSize(f->data);
     if (!f->band || GDALDataTypeIsComplex(GDALGetRasterDataType(f->band)) ||
         GDALGetRasterColorInterpretation(f->band) == GCI_AlphaBand) {
         return bad(f, err, "has no heights in that band");
     }
-    if (f->columns < 2 || f->rows < 2) {
-        return murk_fail(
-            err, MURK_BAD_FILE, f->request->where,
-            "has %zu by %zu pixels, must be 2 or more on each side", f->columns,
-            f->rows);
+    /* Colours are heights only if the request says so. */
+    const GDALColorInterp colour = GDALGetRasterColorInterpretation(f->band);
+    if (asked == 0 && colour != GCI_Undefined && colour != GCI_GrayIndex) {
+        return murk_fail(err, MURK_BAD_FILE, f->request->where,
+                         "is a picture: its first band is \"%s\"; band must "
+                         "be given if that has heights",
+                         GDALGetColorInterpretationName(colour));
     }
     /* Scale and offset, and missing values. */
     int has = 0;
@@ -294,6 +314,9 @@ murk_status murk_gdal_open(murk_gdal_file **out,
                      : bad_by(f, err, "is no GeoTIFF file that can be read");
     }
     if (!status) {
+        status = find_size(f, err);
+    }
+    if (!status && request->asked.has_frame) {
         status = find_band(f, err);
     }
     if (!status) {
@@ -382,8 +405,10 @@ murk_status murk_gdal_places(const murk_gdal_file *f, double *x, double *y,
 murk_status murk_gdal_facts(const murk_gdal_file *f, murk_terrain_facts *out,
                             murk_error *err)
 {
-    *out = (murk_terrain_facts){
-        .columns = f->columns, .rows = f->rows, .unit_m = f->unit_m};
+    *out = (murk_terrain_facts){.columns = f->columns,
+                                .rows = f->rows,
+                                .unit_m = f->unit_m,
+                                .is_depth = f->is_depth};
     memcpy(out->unit_from, f->unit_from, sizeof out->unit_from);
     memcpy(out->crs, f->crs, sizeof out->crs);
     /* The middle, and steps of one column and one row there. */
@@ -541,7 +566,8 @@ static murk_status convert_row(const murk_gdal_file *f,
             height_m[i] = NAN;
             continue;
         }
-        const double h = (v * f->scale + f->offset) * f->unit_m;
+        const double up = (v * f->scale + f->offset) * f->unit_m,
+                     h = f->is_depth ? -up : up;
         if (!(h >= LOWEST_M && h <= HIGHEST_M)) {
             return murk_fail(err, MURK_BAD_FILE, f->request->where,
                              "has the height %g m in column %zu, row %zu, must "

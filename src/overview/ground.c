@@ -40,6 +40,7 @@ void murk_overview_json_ground(cJSON *root, const murk_stage *stage)
         murk_json_number(item, "high_m", t->high_m);
         murk_json_number(item, "unit_m", t->unit_m);
         cJSON_AddStringToObject(item, "unit_from", t->unit_from);
+        cJSON_AddBoolToObject(item, "are_depths", t->is_depth != 0);
         murk_json_number(item, "triangles", (double)stage->mesh[i]->triangles);
         murk_json_number(item, "error_m", t->error_m);
         murk_json_number(item, "longitude_deg", t->longitude_deg);
@@ -66,16 +67,17 @@ void murk_overview_print_ground(const murk_stage *stage)
                    stage->mesh[i]->triangles, t->error_m);
         murk_print(
             "heights     %.6g to %.6g m above site.altitude_m %.6g; unit "
-            "%.6g m (%s)\n",
+            "%.6g m (%s)%s\n",
             t->low_m, t->high_m, scene->site.altitude_m, t->unit_m,
             strcmp(t->unit_from, "key") == 0    ? "height_unit"
             : strcmp(t->unit_from, "none") == 0 ? "the file states none"
-                                                : "of the file");
+                                                : "of the file",
+            t->is_depth ? "; the file has depths, which count downwards" : "");
         murk_print("middle      longitude %.7f, latitude %.7f degrees; %s\n",
                    t->longitude_deg, t->latitude_deg,
                    t->crs[0] ? t->crs : "system without name");
         if (t->bare > 0) {
-            murk_print("uncovered   %zu heights, each of whose squares has a "
+            murk_print("uncovered   %zu heights, each of whose triangles has a "
                        "corner without a height\n",
                        (size_t)t->bare);
         }

@@ -63,8 +63,8 @@ static const murk_key GEOTIFF_ROWS[] = {
     ROW("file", PATH, NEEDED, GEOMETRY(solid.mesh)),
     ROW("error_m", NUMBER, .max = ERROR_MAX_M, .unit = "m", .preset = "0.5",
         .selects_files = true, GEOMETRY(geotiff.error_m)),
-    ROW("band", COUNT, .min = 1, .max = BANDS_MAX, .preset = "1",
-        .selects_files = true, GEOMETRY(geotiff.band)),
+    ROW("band", COUNT, .min = 1, .max = BANDS_MAX, .selects_files = true,
+        GEOMETRY(geotiff.band)),
     ROW("height_unit", WORD,
         WORDS({"m", MURK_SCENE_HEIGHT_M}, {"cm", MURK_SCENE_HEIGHT_CM},
               {"ft", MURK_SCENE_HEIGHT_FT}, {"us-ft", MURK_SCENE_HEIGHT_US_FT}),
@@ -88,6 +88,8 @@ static const murk_keys GEOTIFF = {
 #define OF_MESH    .variants = BIT(MURK_SHAPE_MESH)
 #define OF_FDS     .variants = BIT(SHAPE_FDS)
 #define OF_GEOTIFF .variants = BIT(SHAPE_GEOTIFF)
+/* All but ground, whose place and heights are those of its file. */
+#define PLACED .variants = BIT(SHAPE_GEOTIFF) - 1
 
 /* Checks the name and gives walls and ground from files their shape. Names
  * serve as parts of paths, where a number is the index of an item. */
@@ -102,6 +104,7 @@ static murk_status check_geometry(murk_key_reader *walk, const murk_yaml *map,
     } else if ((int)own->shape == SHAPE_GEOTIFF) {
         own->shape = MURK_SHAPE_MESH;
         own->is_geotiff = true;
+        own->solid.scale = 1; /* the ground has no placement */
     }
     if (own->name[0] == '\0') {
         return MURK_OK;
@@ -130,7 +133,7 @@ static const murk_key GEOMETRY_ROWS[] = {
     ROW("unit_m", NUMBER, SIZE_M, OF_MESH, GEOMETRY(solid.unit_m)),
     ROW("allow", PATH, OF_MESH, GEOMETRY(allow)),
     ROW("up", WORD, OF_MESH, .words = murk_up_words, GEOMETRY(solid.up)),
-    PLACEMENT_ROWS(murk_scene_geometry, .variants = 0),
+    PLACEMENT_ROWS(murk_scene_geometry, PLACED),
     ROW("material", REFERENCE, .of = "materials", GEOMETRY(material)),
     END,
 };

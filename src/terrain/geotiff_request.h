@@ -17,7 +17,7 @@
 
 typedef struct murk_geotiff_asked {
     double error_m;  /* largest error of height of the mesh */
-    uint64_t band;   /* from 1 */
+    uint64_t band;   /* from 1; 0: the first, if it is not a colour */
     double unit_m;   /* of the heights; 0: as the file says, else 1 m */
     bool has_nodata; /* the value that stands for no height is the next
                       * one; false: as the file says */
@@ -39,12 +39,14 @@ typedef struct murk_terrain_facts {
     uint64_t columns, rows; /* of heights: of the file, or, with a mesh, of the
                              * part that was read; 0: no terrain */
     uint64_t known;         /* heights that are there */
-    uint64_t bare;  /* of these, outside of the mesh, because a neighbour is
-                     * missing in each square */
-    double error_m; /* largest error of the mesh */
+    uint64_t bare;        /* of these, outside of the mesh, because a corner is
+                           * missing in each triangle */
+    double error_m;       /* largest error of the mesh */
     double low_m, high_m; /* heights above that of z = 0 */
     double spacing_m[2];  /* between columns, and between rows, in the middle */
     double unit_m;
+    uint64_t is_depth;  /* 1: the file has depths, of which heights are the
+                         * negative; 0: heights */
     char unit_from[16]; /* where the unit comes from: "key", "band", "CRS", or
                          * "none" */
     char crs[128];      /* name of the coordinate reference system */

@@ -53,8 +53,8 @@ typedef struct murk_height_mesh {
     double error_m;   /* the largest error of any point, with the heights of
                        * corners in single precision, as meshes have them */
     size_t known;     /* points of the grid with a height */
-    size_t bare; /* of these, in no triangle: all their squares have a point
-                  * without a height */
+    size_t bare;      /* of these, in no triangle: all their triangles have a
+                       * corner without a height */
 } murk_height_mesh;
 
 /* Makes the mesh. Squares with a point that has no height have a triangle less,

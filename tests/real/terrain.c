@@ -109,6 +109,7 @@ typedef struct sample {
     bool is_point;
     bool has_hole; /* a value for missing heights */
     bool has_mask;
+    bool is_depth;
     bool has_alpha; /* a second band, which is 0 where there is no height */
 } sample;
 
@@ -163,6 +164,12 @@ static const sample samples[] = {
      {4.25e5, 3, 0, 4.6e6, 0, -3},
      GDT_Float32,
      .unit_m = 1200. / 3937},
+    {"depths", /* UTM and mean sea level depth */
+     "EPSG:32631+5715",
+     {5e5, 3, 0, 5.75e6, 0, -3},
+     GDT_Float32,
+     .unit_m = 1,
+     .is_depth = true},
     {"missing heights",
      "EPSG:32631",
      {5e5, 3, 0, 5.75e6, 0, -3},
@@ -210,7 +217,8 @@ static double value_at(const sample *s, int column, int row)
 static double height_at(const sample *s, int column, int row)
 {
     const double scale = s->scale > 0 ? s->scale : 1;
-    return (value_at(s, column, row) * scale + s->offset) * s->unit_m;
+    return (value_at(s, column, row) * scale + s->offset) * s->unit_m *
+           (s->is_depth ? -1 : 1);
 }
 
 static void write_sample(const sample *s)
@@ -324,6 +332,7 @@ static void check_sample(const sample *s, double error_m)
         return;
     }
     CHECK_NEAR(mesh->terrain.unit_m, s->unit_m, 1e-12);
+    CHECK(mesh->terrain.is_depth == s->is_depth);
     CHECK(mesh->terrain.error_m <= fmax(error_m, 2e-5));
     for (int row = 0; row < ROWS; ++row) {
         for (int column = 0; column < COLUMNS; ++column) {
@@ -487,6 +496,32 @@ static void test_refused(void)
     }
 }
 
+/* The bands of a picture are heights only if the request names one. */
+static void test_picture(void)
+{
+    char colour[] = "PHOTOMETRIC=RGB", *options[] = {colour, NULL};
+    GDALDatasetH data = GDALCreate(GDALGetDriverByName("GTiff"), path, 9, 9, 3,
+                                   GDT_Byte, options);
+    double transform[] = {5e5, 3, 0, 5.75e6, 0, -3};
+    OGRSpatialReferenceH system = OSRNewSpatialReference(NULL);
+    OSRSetFromUserInput(system, "EPSG:32631");
+    GDALSetGeoTransform(data, transform);
+    GDALSetSpatialRef(data, system);
+    GDALClose(data);
+    OSRDestroySpatialReference(system);
+    for (uint64_t band = 0; band < 4; ++band) {
+        const murk_geotiff_asked asked = {
+            .band = band,
+            .has_frame = true,
+            .frame = murk_local_frame_at(51.9, 3, 0, 1)};
+        murk_error err = {0};
+        murk_mesh *mesh = read_mesh(path, &asked, &err);
+        CHECK(!mesh == (band == 0));
+        CHECK(mesh || strstr(err.text, "first band is \"Red\"; band must"));
+        murk_mesh_destroy(mesh);
+    }
+}
+
 /* Blocks that a file leaves out are heights of 0 to the library. Without a
  * value for missing heights such a file is refused. */
 static void test_left_out(void)
@@ -604,6 +639,7 @@ int main(void)
     test_within();
     test_turns();
     test_refused();
+    test_picture();
     test_left_out();
     unlink(path);
     if (access(DATA "small_dem_3m_merged.tif", R_OK) == 0) {
