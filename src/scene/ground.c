@@ -33,6 +33,12 @@ static const murk_yaml *find_file(const murk_yaml *root, size_t *item)
                : NULL;
 }
 
+bool murk_ground_is_in(const murk_yaml *root)
+{
+    size_t item;
+    return find_file(root, &item) != NULL;
+}
+
 static murk_status put_degrees(murk_key_reader *walk, murk_yaml *site,
                                const char *name, double degrees)
 {

@@ -11,6 +11,9 @@
  * Fails as murk_geotiff_facts(). */
 murk_status murk_ground_complete(murk_key_reader *walk, murk_yaml *root);
 
+/* True if a tree of a scene has the ground of a GeoTIFF file. */
+bool murk_ground_is_in(const murk_yaml *root);
+
 /* True if the site of the scene has a latitude and a longitude; then *out is
  * the frame about it, in the coordinates of the scene file. z = 0 is at
  * site.altitude_m. */

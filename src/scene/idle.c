@@ -99,7 +99,10 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
         [SITE] = murk_idle_asks_time(s) || murk_scene_has_ground(s) ||
                  uses_weather(s) || s->sensors.candidates.points.files > 0 ||
-                 p->targets.points,
+                 p->targets.points ||
+                 /* positions of sensors by longitude and latitude */
+                 (s->site.has_latitude && s->site.has_longitude &&
+                  s->sensors.types > 0),
         [WEATHER] = uses_weather(s),
     };
     for (int i = 0; i < N_USES; ++i) {

@@ -8,6 +8,7 @@
 
 #include "base/log.h"
 #include "base/number.h"
+#include "scene/ground.h"
 #include "scene/keys_rows.h"
 #include "weather/report.h"
 
@@ -144,7 +145,8 @@ murk_status murk_weather_complete_site(murk_key_reader *walk, murk_yaml *map)
     if (!status) {
         status = put_number(walk, map, "longitude_deg", year->longitude_deg);
     }
-    if (!status) {
+    /* Beside ground of a file, z = 0 is that of the file. */
+    if (!status && !murk_ground_is_in(walk->root)) {
         status = put_number(walk, map, "altitude_m", year->altitude_m);
     }
     if (!status && !murk_yaml_get(map, "time_zone")) {

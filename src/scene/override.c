@@ -11,6 +11,7 @@
 #include "base/number.h"
 #include "base/words.h"
 #include "scene/key_path.h"
+#include "scene/walk.h"
 
 typedef struct option_context {
     const char *source; /* source of nodes created on the way */
@@ -107,7 +108,7 @@ static murk_status remove_excluded(const option_context *option, murk_yaml *map,
 
 /* Turns a single value, such as the word in `phase: isotropic`, into an empty
  * map if the table allows a map there; for a map of names only an empty
- * value. */
+ * value. The name of a file that is short for a map becomes that map. */
 static bool make_map(const murk_key_position *at)
 {
     murk_yaml *node = at->node;
@@ -115,6 +116,10 @@ static bool make_map(const murk_key_position *at)
         node->kind == MURK_YAML_SCALAR && at->row &&
         (murk_key_path_is_map(at) ||
          (at->row->kind == MURK_KEY_NAMED && murk_yaml_is_null(node)));
+    if (can && at->row->takes_file && !at->in_item &&
+        !murk_yaml_is_null(node)) {
+        return murk_walk_make_file_map(node);
+    }
     if (can) {
         murk_yaml_clear(node);
         node->kind = MURK_YAML_MAP;

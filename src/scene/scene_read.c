@@ -14,6 +14,7 @@
 #include "base/file.h"
 #include "base/memory_files.h"
 #include "scene/conditions.h"
+#include "scene/ground.h"
 #include "scene/idle.h"
 #include "scene/light_source.h"
 #include "scene/medium_preset.h"
@@ -361,6 +362,14 @@ static murk_status apply_variant(reading *r, const murk_variant *variant,
     return status;
 }
 
+/* Takes the site from the ground of the scene before it is changed: variants,
+ * conditions and steps with other files have the same x and y. */
+static murk_status complete_site(reading *r, murk_error *err)
+{
+    r->walk = (murk_key_reader){.root = r->root, .err = err};
+    return murk_ground_complete(&r->walk, r->root);
+}
+
 /* Reads the scene from r->text; variant NULL: the scene as it stands. */
 static murk_status read_text(reading *r, murk_scene_desc **out,
                              const char *path, const murk_override *overrides,
@@ -372,6 +381,7 @@ static murk_status read_text(reading *r, murk_scene_desc **out,
     murk_status status = murk_yaml_parse(&r->root, r->text, r->size, path, err);
     if (status ||
         (status = apply_overrides(r, path, overrides, n_overrides, err)) ||
+        (status = complete_site(r, err)) ||
         (variant && (status = apply_variant(r, variant, err)))) {
         goto done;
     }

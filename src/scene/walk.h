@@ -34,6 +34,10 @@ murk_status murk_walk_root(murk_key_reader *walk, const murk_keys *keys,
 murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item);
 
+/* Turns the name of a file, short for a map, into {file: NAME}. False if there
+ * is no memory. */
+bool murk_walk_make_file_map(murk_yaml *node);
+
 /* Reads the map of the current key by a table into the struct `item`. */
 murk_status murk_walk_map(murk_key_reader *walk, const murk_keys *keys,
                           murk_yaml *map, void *item);

@@ -337,28 +337,24 @@ static murk_status walk_array(murk_key_reader *walk, const murk_key *key,
                   : walk_items(walk, key, node, items);
 }
 
-/* Makes {file: TEXT} of a text. */
-static murk_status make_file_map(murk_key_reader *walk, murk_yaml *node)
+bool murk_walk_make_file_map(murk_yaml *node)
 {
     murk_yaml *file = murk_yaml_copy(node);
     if (!file) {
-        return murk_walk_no_memory(walk);
+        return false;
     }
     murk_yaml_clear(node);
     node->kind = MURK_YAML_MAP;
-    return murk_yaml_put(node, "file", file) ? MURK_OK
-                                             : murk_walk_no_memory(walk);
+    return murk_yaml_put(node, "file", file);
 }
 
 murk_status murk_walk_value(murk_key_reader *walk, const murk_key *key,
                             murk_yaml *node, void *item)
 {
     if (key->takes_file && node->kind == MURK_YAML_SCALAR &&
-        node->text[0] != '\0' && !murk_yaml_is_null(node)) {
-        const murk_status status = make_file_map(walk, node);
-        if (status) {
-            return status;
-        }
+        node->text[0] != '\0' && !murk_yaml_is_null(node) &&
+        !murk_walk_make_file_map(node)) {
+        return murk_walk_no_memory(walk);
     }
     if (key->has_flag) {
         murk_value_store(item, key->flag_at, sizeof(bool), true);

@@ -7,6 +7,8 @@ usage: terrain.py MURK
 import csv
 import json
 import pathlib
+import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -118,6 +120,9 @@ def refused(folder):
         (SCENE, "", ["--set", "geometry.0.geotiff.band=2"], "band is 2, must be 1..1"),
         (SCENE, "", ["--set", "geometry.0.geotiff.within_m=[5, 0, 1, 9]"], "x0 < x1"),
         (SCENE, "", ["--set", "geometry.0.geotiff.error_m=-1"], "0..10000 m"),
+        (SCENE, "", ["--set", "geometry.0.scale=2"], "scale"),
+        (SCENE, "", ["--set", "geometry.0.rotate_deg=[0, 0, 9]"], "rotate_deg"),
+        (SCENE, "", ["--set", "geometry.0.translate_m=[0, 0, 9]"], "translate_m"),
         (SCENE, "", ["--set", "geometry.0.geotiff=scenes/terrain/masts.csv"], "is no GeoTIFF file that can be read")]
     for scene, text, words, wanted in cases:
         table.write_text(text)
@@ -141,6 +146,43 @@ def ground():
     check(json.loads(short.stdout)["ground"][0]["triangles"] == g[0]["triangles"], "a plain path")
 
 
+def site_of(folder, *words):
+    """The site of a scene, as its resolved form has it."""
+    done = run("trace", SCENE, "--set", "photons.emit=100", *words, "-o", folder / "site")
+    check(done.returncode == 0, f"{words} {done.stderr}")
+    text = (folder / "site" / "scene.resolved.yaml").read_text() if done.returncode == 0 else ""
+    return dict(re.findall(r"(l[a-z]*itude_deg|altitude_m): ([-.0-9]+)", text)), done.stderr
+
+
+def sites(folder):
+    """One site for conditions with other files; what epw, band and the short form do to it."""
+    moved = folder / "moved.tif"
+    tif = pathlib.Path("scenes/terrain/valley.tif").read_bytes()
+    west = struct.pack("<d", 499700.0)
+    check(tif.count(west) == 1, "the western border")
+    moved.write_bytes(tif.replace(west, struct.pack("<d", 499700.0 + 6000)))
+    # ground 6 km away is outside of the domain, not about a site of its own
+    scene = folder / "moves.yaml"
+    text = pathlib.Path(SCENE).read_text().replace("terrain/", str(pathlib.Path("scenes/terrain").resolve()) + "/")
+    scene.write_text(text + f"conditions: {{moved: {{geometry.0.geotiff.file: {moved}}}}}\n")
+    done = run("place", scene, *KEYS, "--set", "placement.over=mean", "-o", folder / "moves")
+    check(done.returncode != 0 and "no ground" in done.stderr, done.stderr)
+    # the place of the ground, and not the altitude of the weather station, which is far away
+    site, told = site_of(folder, "--set", "weather={epw: scenes/weather/june.epw}", "--set",
+                         "site.time=2025-06-03T10:30:00Z", "--set", "lights=[{type: sun}]")
+    check(site == {"latitude_deg": "47.6014087", "longitude_deg": site.get("longitude_deg"), "altitude_m": "0"}, f"{site}")
+    check("is not where" in told, told)
+    # keys below the short form
+    for words in (["--set", "geometry.0.geotiff=scenes/terrain/valley.tif"],):
+        done = run("check", SCENE, *KEYS, *words, "--set", "geometry.0.geotiff.error_m=3", "--format", "json")
+        check(done.returncode == 0 and 1 < json.loads(done.stdout)["ground"][0]["error_m"] <= 3, done.stderr)
+    # a site without lights of the sky is of use to sensors
+    done = run("check", SCENE, *KEYS, "--set", "geometry=[]", "--set", "lights=[{type: point, position_m: [0, 0, 450], power_w: 1}]",
+               "--set", "sensors.candidates={points: [[0, 0, 450]]}", "--set", "sensors.count=1",
+               "--set", "site={latitude_deg: 47, longitude_deg: 9}")
+    check(done.returncode == 0 and "site" not in done.stderr, done.stderr)
+
+
 def main():
     done = run("check", SCENE, *KEYS)
     if "install the package murk-gdal" in done.stderr:
@@ -151,6 +193,7 @@ def main():
         out = plan(folder)
         other_tables(folder, out)
         refused(folder)
+        sites(folder)
         # what the tool writes is what lies in the repository
         subprocess.run(["tools/make_terrain", folder / "terrain"], check=True)
         for path in sorted((folder / "terrain").iterdir()):
