@@ -509,7 +509,7 @@ murk_status murk_gdal_window_of(const murk_gdal_file *f, murk_gdal_window *out,
                : murk_fail(
                      err, MURK_BAD_FILE, f->request->where,
                      "has %zu by %zu heights, must be at most %zu in all: "
-                     "within_m cuts out a part",
+                     "within_m must cut out a part",
                      out->columns, out->rows, MURK_HEIGHTS_MAX);
 }
 

@@ -39,9 +39,9 @@ const murk_subprocess_job murk_geotiff_job = {
     .needs = "GeoTIFF files are read by the program murk-gdal: install the "
              "package murk-gdal, or build murk with libgdal-dev"};
 
-/* The largest grid takes some 30 s on a processor of 2020, however well the
- * file is compressed. */
-#define LARGEST_S 60
+/* The largest grid takes some 8 s on a processor of 2020, however well the file
+ * is compressed; a slower one may take twice as long. */
+#define LARGEST_S 16
 
 murk_subprocess_limits murk_geotiff_limits(uint64_t file_bytes)
 {

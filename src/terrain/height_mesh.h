@@ -22,9 +22,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Points of a grid; a choice: 2^26 points, 8192 by 8192, take some 1.2 GB of
- * memory while the mesh is made. */
-#define MURK_HEIGHTS_MAX ((size_t)1 << 26)
+/* Points of a grid; a choice: 2^24 points, 4096 by 4096, take 8 s on one of two
+ * shared processors if they are all of one height, and 0.3 GB of memory while
+ * the mesh is made. */
+#define MURK_HEIGHTS_MAX ((size_t)1 << 24)
 
 /* The grid is a map of the ground, on which its columns and rows are curves.
  * So the place of a point is not exactly where it would be in a flat triangle
