@@ -7,6 +7,7 @@
 
 #include "base/vector.h"
 #include "terrain/height_mesh.h"
+#include "terrain/units.h"
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -98,8 +99,7 @@ typedef struct unit {
     double m;
 } unit;
 
-/* Names of units as files have them. The foot of the survey of the USA is 1200
- * / 3937 m (NIST SP 447, 1975). */
+/* Names of units as files have them. */
 static const unit units[] = {{"m", 1},
                              {"metre", 1},
                              {"meter", 1},
@@ -112,12 +112,12 @@ static const unit units[] = {{"m", 1},
                              {"centimeters", 0.01},
                              {"dm", 0.1},
                              {"mm", 0.001},
-                             {"ft", 0.3048},
-                             {"foot", 0.3048},
-                             {"feet", 0.3048},
-                             {"us-ft", 1200. / 3937},
-                             {"ftUS", 1200. / 3937},
-                             {"US survey foot", 1200. / 3937},
+                             {"ft", MURK_FOOT_M},
+                             {"foot", MURK_FOOT_M},
+                             {"feet", MURK_FOOT_M},
+                             {"us-ft", MURK_US_FOOT_M},
+                             {"ftUS", MURK_US_FOOT_M},
+                             {"US survey foot", MURK_US_FOOT_M},
                              {NULL, 0}};
 
 /* The unit of heights: that of the request, of the band, or of the vertical

@@ -6,6 +6,7 @@
 #include "scene/ground.h"
 
 #include "scene/value.h"
+#include "terrain/units.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -104,12 +105,11 @@ bool murk_scene_frame(const murk_scene_desc *scene, murk_local_frame *out)
 murk_geotiff_asked murk_scene_ground_asked(const murk_scene_desc *scene,
                                            size_t i)
 {
-    /* The foot of the survey of the USA is 1200 / 3937 m (NIST SP 447, 1975).
-     */
+    /* terrain/units.h has the source of feet. */
     static const double m[] = {[MURK_SCENE_HEIGHT_M] = 1,
                                [MURK_SCENE_HEIGHT_CM] = 0.01,
-                               [MURK_SCENE_HEIGHT_FT] = 0.3048,
-                               [MURK_SCENE_HEIGHT_US_FT] = 1200. / 3937};
+                               [MURK_SCENE_HEIGHT_FT] = MURK_FOOT_M,
+                               [MURK_SCENE_HEIGHT_US_FT] = MURK_US_FOOT_M};
     const murk_scene_geometry *g = &scene->geometry[i];
     murk_geotiff_asked asked = g->geotiff;
     asked.unit_m = g->height_unit ? m[g->height_unit] : 0;
