@@ -238,7 +238,7 @@ def test_bad_options(murk):
     with open(sensors, "w") as file:
         file.write("type,x_m,y_m,z_m\nnode,1.1,1.1,1.1\n")
     ask = ("--export", "fields")
-    fails(murk, 2, "\"smoke\" is not an export; allowed are matrix, or-library, lp, fields, photons, surfaces and light", "trace", scene,
+    fails(murk, 2, "\"smoke\" is not an export; allowed are matrix, or-library, lp, fields, photons, surfaces, light, geojson and geo-csv", "trace", scene,
           *out, "--export", "fields,smoke")
     fails(murk, 2, "needs a folder", "trace", scene, "-q", *ask)
     fails(murk, 2, "are of murk place", "sense", scene, "--sensors", sensors, *out, "--export",
