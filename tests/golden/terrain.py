@@ -14,16 +14,8 @@ import sys
 import tempfile
 
 murk = pathlib.Path(sys.argv[1]).resolve()
-failures = checks = 0
-
-
-def check(holds, text):
-    global failures, checks
-    checks += 1
-    if not holds:
-        failures += 1
-        if failures < 20:
-            print("not so:", text)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from sightlines import check, finish  # noqa: E402
 
 
 def run(*words):
@@ -199,8 +191,7 @@ def main():
         for path in sorted((folder / "terrain").iterdir()):
             check(path.read_bytes() == (pathlib.Path("scenes/terrain") / path.name).read_bytes(), f"{path.name}")
     ground()
-    print(f"{checks} checks, {failures} failures")
-    sys.exit(failures > 0 or checks == 0)
+    sys.exit(finish())
 
 
 main()
