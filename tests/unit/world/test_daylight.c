@@ -58,18 +58,23 @@ static double by_sun(const murk_stage *stage, murk_vec3 normal)
     return sum;
 }
 
-static void compare(const char *clock, const char *date, double upright)
+static void compare(const char *clock, const char *date, int cie_type,
+                    double upright)
 {
     static const murk_vec3 planes[] = {
         {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
     char time[64], day[64];
     snprintf(time, sizeof time, "site.clock='%s'", clock);
     snprintf(day, sizeof day, "site.date=%s", date);
-    const char *const set[] = {time, day, NULL};
+    char of_parts[32], of_sky[32];
+    snprintf(of_parts, sizeof of_parts, "lights.0.cie_type=%d", cie_type);
+    snprintf(of_sky, sizeof of_sky, "lights.1.cie_type=%d", cie_type);
+    const char *const set[] = {time, day, of_parts, NULL},
+                      *const whole_set[] = {time, day, of_sky, NULL};
     murk_stage *parts =
                    stage_text_create(SCENE "lights: [{type: daylight}]\n", set),
                *whole = stage_text_create(
-                   SCENE "lights: [{type: sun}, {type: sky}]\n", set);
+                   SCENE "lights: [{type: sun}, {type: sky}]\n", whole_set);
     CHECK(parts && whole);
     if (parts && whole) {
         const murk_vec3 up = {0, 0, 1};
@@ -140,11 +145,17 @@ static void test_shapes_stay(void)
 int main(void)
 {
     /* Suns at 61, 41, 20 and 7 degrees. */
-    compare("12:40", "2026-06-21", .01);
-    compare("09:20", "2026-06-21", .01);
-    compare("06:50", "2026-06-21", .016);
-    compare("05:10", "2026-06-21", .022);
-    compare("12:00", "2026-12-21", .019);
+    compare("12:40", "2026-06-21", 12, .01);
+    compare("09:20", "2026-06-21", 12, .01);
+    compare("06:50", "2026-06-21", 12, .016);
+    compare("05:10", "2026-06-21", 12, .022);
+    compare("12:00", "2026-12-21", 12, .019);
+    /* The other types that the weather chooses. */
+    static const int types[] = {1, 3, 7, 8, 11};
+    for (size_t i = 0; i < sizeof types / sizeof *types; ++i) {
+        compare("12:40", "2026-06-21", types[i], .012);
+        compare("06:50", "2026-06-21", types[i], .016);
+    }
     test_shapes_stay();
     return check_done();
 }
