@@ -32,12 +32,10 @@
  * file: a node of 4096 voxels along an edge takes some 8 kB in a file and 262
  * kB in memory, twice while the node is converted. 200 bytes for each byte of
  * the file is three times that, and a small hostile file still cannot fill much
- * memory. MIN_BYTES, which is added, is for the libraries themselves. */
+ * memory: libraries reserve and copy what its header asks for. MIN_BYTES, which
+ * is added, is for the libraries themselves. */
 #define MIN_BYTES           UINT64_C(400000000)
 #define BYTES_PER_FILE_BYTE 200
-
-/* Bytes of values for a byte of a compressed file of fields: a choice. */
-#define COMPRESSION 16
 
 #define ALIGNMENT \
     64 /* of buffers, in bytes; NanoVDB requires a multiple of 32 */
@@ -276,13 +274,18 @@ done:
     return status;
 }
 
+void murk_grid_limit_memory(murk_subprocess_limits *limits, uint64_t file_bytes)
+{
+    if (file_bytes < (limits->memory_bytes - MIN_BYTES) / BYTES_PER_FILE_BYTE) {
+        limits->memory_bytes = MIN_BYTES + BYTES_PER_FILE_BYTE * file_bytes;
+    }
+}
+
 static murk_status run(murk_grid **out, const murk_subprocess_job *kind, job *j,
                        uint64_t input_bytes, murk_error *err)
 {
     murk_subprocess_limits limits = murk_subprocess_limits_for(input_bytes);
-    if (input_bytes < (limits.memory_bytes - MIN_BYTES) / BYTES_PER_FILE_BYTE) {
-        limits.memory_bytes = MIN_BYTES + BYTES_PER_FILE_BYTE * input_bytes;
-    }
+    murk_grid_limit_memory(&limits, input_bytes);
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =
@@ -582,17 +585,13 @@ murk_status murk_grid_from_field(murk_grid **out, const unsigned char *packed,
 
 murk_status murk_grid_read_field(murk_grid **out,
                                  const murk_subprocess_job *kind, void *context,
-                                 const char *path, const char *where,
-                                 murk_error *err)
+                                 const murk_subprocess_limits *limits,
+                                 const char *where, murk_error *err)
 {
-    struct stat facts;
-    /* Files may be compressed. */
-    const murk_subprocess_limits limits = murk_subprocess_limits_for(
-        stat(path, &facts) == 0 ? COMPRESSION * (uint64_t)facts.st_size : 0);
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_status status =
-        murk_subprocess_do(&sent, &size, kind, context, &limits, where, err);
+        murk_subprocess_do(&sent, &size, kind, context, limits, where, err);
     if (!status) {
         status = murk_grid_from_field(out, sent, size, where, err);
     }

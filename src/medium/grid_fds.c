@@ -3,10 +3,12 @@
  * (base/field_blocks.h). */
 #include "medium/grid.h"
 
+#include "fds/data_files.h"
 #include "medium/grid_internal.h"
 #include "medium/grid_jobs.h"
 
 #include <stdio.h>
+#include <sys/stat.h>
 
 /* The request. */
 typedef struct job {
@@ -111,6 +113,29 @@ const murk_subprocess_job murk_grid_fds_job = {.name = "fds",
                                                .pack = pack,
                                                .work_packed = read_packed};
 
+/* ---- in the host ---- */
+
+/* Adds the size of a file to the sum in `context`. */
+static bool add_size(void *context, const char *file)
+{
+    uint64_t *sum = context;
+    struct stat facts;
+    if (stat(file, &facts) == 0) {
+        *sum += (uint64_t)facts.st_size;
+    }
+    return true;
+}
+
+/* The limits for a run. Its values are in the data files beside the .smv file,
+ * which are read up to the time that is asked for. */
+static murk_subprocess_limits limits_for(const char *path)
+{
+    uint64_t bytes = 0;
+    (void)add_size(&bytes, path);
+    (void)murk_fds_data_files(path, false, add_size, &bytes);
+    return murk_subprocess_limits_for(bytes);
+}
+
 murk_status murk_grid_read_fds(murk_grid **out, const char *path,
                                const murk_fds_asked *asked, const char *where,
                                murk_error *err)
@@ -118,5 +143,7 @@ murk_status murk_grid_read_fds(murk_grid **out, const char *path,
     char place[sizeof err->where];
     snprintf(place, sizeof place, "%s: %s", where, path);
     job j = {.path = path, .where = place, .asked = *asked};
-    return murk_grid_read_field(out, &murk_grid_fds_job, &j, path, place, err);
+    const murk_subprocess_limits limits = limits_for(path);
+    return murk_grid_read_field(out, &murk_grid_fds_job, &j, &limits, place,
+                                err);
 }

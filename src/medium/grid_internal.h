@@ -26,12 +26,20 @@ murk_status murk_grid_from_field(struct murk_grid **out,
                                  const unsigned char *packed, size_t size,
                                  const char *where, murk_error *err);
 
+/* Lowers the memory limit of a subprocess to what compressed files of that size
+ * can need, so that a small hostile file cannot fill much memory. */
+void murk_grid_limit_memory(murk_subprocess_limits *limits,
+                            uint64_t file_bytes);
+
+/* The limits of the reader of a NetCDF file of that size. */
+murk_subprocess_limits murk_grid_netcdf_limits(uint64_t file_bytes);
+
 /* Does a job of murk_subprocess_do() that answers with a packed field, and
- * makes a grid of it. The limits are those of the file `path`. */
+ * makes a grid of it. */
 murk_status murk_grid_read_field(struct murk_grid **out,
                                  const murk_subprocess_job *kind, void *context,
-                                 const char *path, const char *where,
-                                 murk_error *err);
+                                 const murk_subprocess_limits *limits,
+                                 const char *where, murk_error *err);
 
 /* 2^31 voxels are 8 GB of floats; indices in a grid have 32 bits. */
 #define MURK_VOXELS_MAX ((size_t)1 << 31)
