@@ -51,8 +51,7 @@ typedef struct evaluation {
     const murk_row_need *need; /* NULL: all gains are exact */
     size_t n, at_once;
     bool is_max;     /* upper bounds instead of gains */
-    bool is_divided; /* the first evaluation of each candidate in an unknown
-                        environment: ranks divide the candidates */
+    bool is_divided; /* unknown environment: ranks divide the candidates */
 } evaluation;
 
 /* The row of a candidate if it is stored. */
@@ -189,6 +188,14 @@ static void evaluate_first(const evaluation *w, unsigned worker, size_t batch)
     }
 }
 
+/* True if no row is needed, because the upper bound on the gain is too small.
+ */
+static bool is_hopeless(const evaluation *w, uint32_t candidate)
+{
+    return w->need && murk_evaluator_gain_bound(w->evaluator, candidate) <
+                          w->need->gain_min;
+}
+
 static void evaluate(const evaluation *w, unsigned worker, size_t batch)
 {
     const murk_evaluator *o = w->evaluator;
@@ -198,6 +205,11 @@ static void evaluate(const evaluation *w, unsigned worker, size_t batch)
         evaluate_first(w, worker, batch);
         return;
     }
+    if (w->is_divided && !murk_row_is_own(batch)) {
+        w->gain[batch] = 0;
+        return;
+    }
+    /* An upper bound, or the gain. */
     if (w->is_max) {
         w->gain[batch] = !murk_evaluator_own_row(&row, o, worker, candidate)
                              ? 0
@@ -206,13 +218,10 @@ static void evaluate(const evaluation *w, unsigned worker, size_t batch)
                                        o->slack[candidate];
         return;
     }
-    /* No row is needed if the upper bound on the gain is too small. */
-    const bool is_hopeless =
-        w->need && murk_evaluator_gain_bound(o, candidate) < w->need->gain_min;
-    w->gain[batch] =
-        !is_hopeless && get_part(&row, o, worker, candidate, w->need)
-            ? murk_row_gain(o->layout, &row, w->cover)
-            : 0;
+    w->gain[batch] = !is_hopeless(w, candidate) &&
+                             get_part(&row, o, worker, candidate, w->need)
+                         ? murk_row_gain(o->layout, &row, w->cover)
+                         : 0;
 }
 
 /* The place in candidate[] and gain[] of the k-th evaluation. */
@@ -317,17 +326,46 @@ static uint64_t *order_of(const evaluation *w)
     return order;
 }
 
+/* True if ranks divide the evaluations: several rows have to be computed, which
+ * takes much longer than an exchange. All ranks find the same, because they
+ * remember the same rows. */
+static bool pays_to_divide(const evaluation *w)
+{
+    const murk_evaluator *o = w->evaluator;
+    size_t missing = 0;
+    if (o->matrix || o->has_all_rows || murk_ranks_count() == 1) {
+        return false;
+    }
+    for (size_t k = 0; k < w->n && missing < 2; ++k) {
+        const uint32_t candidate = candidate_of(w, k);
+        missing += !stored_row(o, candidate) && !is_hopeless(w, candidate);
+    }
+    return missing == 2;
+}
+
 static void evaluate_candidates(evaluation w, unsigned threads, unsigned worker)
 {
     uint64_t *order = order_of(&w);
     w.order = order;
+    w.is_divided = pays_to_divide(&w);
+    murk_work_count work = {.list = {.n = 0}};
+    if (w.is_divided) {
+        work = murk_work_count_begin(w.evaluator->problem);
+    }
     if (threads > 1 && murk_evaluator_threads(w.evaluator, w.n) > 1) {
         evaluate_in_batches(&w, threads);
     } else {
         evaluate_range(&w, worker, 0, w.n);
     }
     free(order);
-    murk_evaluator_complete(w.evaluator, w.gain, w.n);
+    if (w.is_divided) {
+        murk_error err;
+        const murk_status status = murk_ranks_complete(
+            w.gain, w.n * sizeof *w.gain, murk_interrupt_check(&err), &err);
+        (void)murk_work_count_add(&work, status, &err);
+    } else {
+        murk_evaluator_complete(w.evaluator, w.gain, w.n);
+    }
 }
 
 void murk_evaluator_gains(const murk_evaluator *evaluator,

@@ -76,7 +76,9 @@ murk_evaluator_gain_bound(const murk_evaluator *evaluator, uint32_t candidate)
  * this header that say so are then collective: all ranks call them with the
  * same arguments in the same order, from the thread that works for the host. A
  * failure of a rank shows in murk_interrupted(), and results are arbitrary
- * then. */
+ * then. In an unknown environment of which not all rows are stored, the
+ * functions that compute gains are collective, too: ranks divide the rows that
+ * have to be computed. */
 static inline bool
 murk_evaluator_is_distributed(const murk_evaluator *evaluator)
 {

@@ -130,6 +130,7 @@ def results_are_the_same(folder, room, study):
     same(folder, "place best", ["place", room, *emit(1500)], ALL)
     same(folder, "place with exports", ["place", room, "--export", "matrix,lp,fields"], ONE)
     same(folder, "place unknown", ["place", room, *place("knowledge: unknown")], SOME)
+    same(folder, "place unknown without memory", ["place", room, *place("knowledge: unknown, memory_mb: 0, restarts: 2")], ONE)
     same(folder, "place greedy", ["place", room, *place("method: greedy")], ONE)
     same(folder, "place spoq", ["place", room, *place("method: spoq, restarts: 3")], ONE)
     same(folder, "place exact", ["place", room, *emit(1500), *place("method: exact"), "--count", "2"], ONE)

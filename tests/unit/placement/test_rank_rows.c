@@ -9,6 +9,7 @@
 #include "placement/matrix.h"
 #include "thread_ranks.h"
 
+#include <math.h>
 #include <string.h>
 
 enum {
@@ -17,11 +18,12 @@ enum {
     CANDIDATES_UNKNOWN = 301 /* more than one group of the first look */
 };
 
-/* A problem that counts the rows that are asked for. */
+/* A problem that counts the rows that are asked for: by all ranks together, and
+ * by this rank. */
 typedef struct counted {
     made_up *m;
     murk_problem problem;
-    murk_tally rows;
+    murk_tally rows, own_rows;
 } counted;
 
 static void counted_row(void *context, unsigned worker, size_t candidate,
@@ -29,6 +31,7 @@ static void counted_row(void *context, unsigned worker, size_t candidate,
 {
     counted *c = context;
     murk_tally_add(&c->rows, 1);
+    murk_tally_add(&c->own_rows, 1);
     made_up_row(c->m, worker, candidate, row);
 }
 
@@ -121,6 +124,7 @@ static bool same_plan(const murk_place_result *a, const murk_place_result *b)
 
 typedef struct verdict {
     bool has_succeeded, same_rows, same_counters, same_photons, same_plans;
+    double share_max; /* of the rows: those that one of the ranks computes */
 } verdict;
 
 static void release(job *j, unsigned count)
@@ -141,7 +145,8 @@ static verdict compare(const job *settings, unsigned count,
     thread_ranks_end end = thread_ranks_run(1, THREAD_RANKS_SOUND, make, &one);
     CHECK(thread_ranks_succeeded(&end, 1));
     end = thread_ranks_run(count, defect, make, &all);
-    verdict v = {thread_ranks_succeeded(&end, count), true, true, true, true};
+    verdict v = {
+        thread_ranks_succeeded(&end, count), true, true, true, true, 0};
     for (unsigned r = 0; r < count && v.has_succeeded; ++r) {
         const murk_matrix *got = all.matrix[r], *want = one.matrix[0];
         /* Merged photons have no slot of their own, so their rows are compared
@@ -225,7 +230,7 @@ static void test_a_rank_that_fails_ends_all(void)
     made_up_destroy(j.problem[2].m);
 }
 
-/* ---- unknown environment: no matrix; ranks divide the first look ---- */
+/* ---- unknown environment: no matrix; ranks divide the looks ---- */
 
 static murk_status place_unknown(void *context, unsigned number,
                                  murk_error *err)
@@ -253,6 +258,7 @@ static verdict compare_unknown(const job *settings, unsigned count,
     verdict v = {.has_succeeded = thread_ranks_succeeded(&end, count),
                  .same_counters = true,
                  .same_plans = true};
+    /* Every rank has what one rank has alone. */
     for (unsigned r = 0; r < count && v.has_succeeded; ++r) {
         v.same_counters =
             v.same_counters && murk_tally_read(&all.problem[r].rows) ==
@@ -260,6 +266,9 @@ static verdict compare_unknown(const job *settings, unsigned count,
         v.same_plans = v.same_plans && same_plan(&all.plan[r], &one.plan[0]) &&
                        all.plan[r].queries == one.plan[0].queries &&
                        all.plan[r].upper == one.plan[0].upper;
+        const double share = (double)murk_tally_read(&all.problem[r].own_rows) /
+                             (double)murk_tally_read(&one.problem[0].rows);
+        v.share_max = fmax(v.share_max, share);
     }
     release(&one, 1);
     release(&all, count);
@@ -280,6 +289,9 @@ static void test_ranks_divide_an_unknown_environment(void)
                            .unknown = CANDIDATES_UNKNOWN};
             const verdict v = compare_unknown(&j, count, THREAD_RANKS_SOUND);
             CHECK(v.has_succeeded && v.same_counters && v.same_plans);
+            /* All ranks compute the rows of the sensors of a plan, and the last
+             * row of an odd number. */
+            CHECK(v.share_max < 1.2 / count);
         }
     }
     /* A wrong exchange is noticed, if all candidates belong to the plan. (With
