@@ -7,6 +7,7 @@
 #include "base/parcel.h"
 #include "base/status.h"
 #include "base/subprocess.h"
+#include "terrain/local_frame.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,6 +31,11 @@ typedef struct murk_netcdf_asked {
     murk_netcdf_law law;        /* of `variable` */
     double time_s;              /* after the first time of the file */
     bool is_linear;             /* values belong to nodes, else to cells */
+    bool has_within;            /* only the part of the file in the next box */
+    double within_m[4];         /* x and y from, x and y to */
+    bool has_frame;             /* false: axes in degrees are refused */
+    murk_local_frame frame;
+    double altitude_m; /* of z = 0 above the sea, for axes in degrees */
 } murk_netcdf_asked;
 
 typedef struct murk_netcdf_request {

@@ -3,6 +3,7 @@
  * the time. */
 #include "netcdf/read.h"
 
+#include "netcdf/places.h"
 #include "netcdf/variables.h"
 
 #include <float.h>
@@ -15,19 +16,42 @@
 
 /* ---- values ---- */
 
-/* The place of a value of the file among the values of the field, x fastest and
+/* A run of coordinates of an axis that are side by side in the file, too: their
+ * number there, and among the coordinates that are read. */
+typedef struct run {
+    size_t start, count, first;
+} run;
+
+/* The runs of an axis: one, or two if it goes on at its beginning. */
+static int find_runs(const murk_netcdf_axis *a, run out[2])
+{
+    const size_t before = a->cycle - a->first;
+    const size_t count[2] = {a->n < before ? a->n : before,
+                             a->n < before ? 0 : a->n - before};
+    for (int i = 0; i < 2; ++i) {
+        /* By rising coordinates, and as the file counts. */
+        const size_t rising = i == 0 ? a->first : 0;
+        out[i] = (run){.count = count[i],
+                       .first = i == 0 ? 0 : count[0],
+                       .start = a->is_falling ? a->length - rising - count[i]
+                                              : rising};
+    }
+    return count[1] > 0 ? 2 : 1;
+}
+
+/* The place of values of the file among the values of the field, x fastest and
  * each axis rising. */
 typedef struct order {
     int n;                     /* dimensions of the variable, 4 at most */
-    size_t start[4], count[4]; /* of the frame */
+    size_t start[4], count[4]; /* in the file */
     ptrdiff_t step[4];         /* in the field, from value to value */
     ptrdiff_t first;           /* of the file's first value */
 } order;
 
-/* Fails unless the variable has the axes X, Y and Z, each once, and T at most.
- */
+/* The order of a frame with one run of x. Fails unless the variable has the
+ * axes X, Y and Z, each once, and T at most. */
 static murk_status find_order(const murk_netcdf_reader *r, int variable,
-                              size_t frame, order *out)
+                              size_t frame, const run *of_x, order *out)
 {
     int dimension[NC_MAX_VAR_DIMS];
     char name[NC_MAX_NAME + 1];
@@ -52,10 +76,15 @@ static murk_status find_order(const murk_netcdf_reader *r, int variable,
             out->start[i] = frame;
         } else if (is_good) {
             const murk_netcdf_axis *a = &r->axis[which];
-            out->count[i] = a->n;
+            run part[2];
+            find_runs(a, part);
+            const run *own = which == MURK_NETCDF_X ? of_x : part;
+            out->start[i] = own->start;
+            out->count[i] = own->count;
             out->step[i] = a->is_falling ? -step[which] : step[which];
             out->first +=
-                a->is_falling ? (ptrdiff_t)(a->n - 1) * step[which] : 0;
+                step[which] *
+                (ptrdiff_t)(own->first + (a->is_falling ? own->count - 1 : 0));
         }
     }
     return is_good && (seen & 7) == 7
@@ -67,19 +96,18 @@ static murk_status find_order(const murk_netcdf_reader *r, int variable,
                                  name);
 }
 
-/* The values of a variable at a frame, x fastest, each axis rising; missing
- * ones are NAN. */
-static murk_status read_frame(murk_netcdf_reader *r, int variable, size_t frame,
-                              double *out)
+/* Reads the values of a frame with one run of x into their places in out. */
+static murk_status read_part(murk_netcdf_reader *r, int variable, size_t frame,
+                             const run *of_x, double *out)
 {
-    const size_t n = r->axis[MURK_NETCDF_X].n * r->axis[MURK_NETCDF_Y].n *
-                     r->axis[MURK_NETCDF_Z].n;
     char name[NC_MAX_NAME + 1] = "";
     order o;
-    murk_status status = find_order(r, variable, frame, &o);
+    murk_status status = find_order(r, variable, frame, of_x, &o);
     if (status) {
         return status;
     }
+    const size_t n =
+        of_x->count * r->axis[MURK_NETCDF_Y].n * r->axis[MURK_NETCDF_Z].n;
     /* In the order of the file, which reads fast, then in that of the field. */
     double *raw = malloc(n * sizeof *raw);
     if (!raw) {
@@ -105,8 +133,25 @@ static murk_status read_frame(murk_netcdf_reader *r, int variable, size_t frame,
         }
     }
     free(raw);
+    return status;
+}
+
+/* The values of a variable at a frame, x fastest, each axis rising; missing
+ * ones are NAN. */
+static murk_status read_frame(murk_netcdf_reader *r, int variable, size_t frame,
+                              double *out)
+{
+    run part[2];
+    const int parts = find_runs(&r->axis[MURK_NETCDF_X], part);
+    murk_status status = MURK_OK;
+    for (int i = 0; i < parts && !status; ++i) {
+        status = read_part(r, variable, frame, &part[i], out);
+    }
     if (!status) {
-        murk_netcdf_unpack_values(r, variable, out, n);
+        murk_netcdf_unpack_values(r, variable, out,
+                                  r->axis[MURK_NETCDF_X].n *
+                                      r->axis[MURK_NETCDF_Y].n *
+                                      r->axis[MURK_NETCDF_Z].n);
     }
     return status;
 }
@@ -336,7 +381,8 @@ static murk_status choose_frames(const murk_netcdf_reader *r, size_t frame[2],
 
 /* Writes how the values were obtained: law, time and effective radii. */
 static void describe(char *out, size_t size, const murk_netcdf_reader *r,
-                     size_t frame, bool is_between, const radii_found *found)
+                     size_t frame, bool is_between, const radii_found *found,
+                     double off_m)
 {
     int n = snprintf(out, size, "%s",
                      r->request->asked.law.n > 0  ? "a word of the preset"
@@ -349,14 +395,20 @@ static void describe(char *out, size_t size, const murk_netcdf_reader *r,
                       found->weighted / found->weight);
     }
     if (r->axis[MURK_NETCDF_TIME].at) {
-        snprintf(out + n, size - (size_t)n, "; %s %zu of %zu",
-                 is_between ? "between two times from" : "time", frame + 1,
-                 r->axis[MURK_NETCDF_TIME].n);
+        n += snprintf(out + n, size - (size_t)n, "; %s %zu of %zu",
+                      is_between ? "between two times from" : "time", frame + 1,
+                      r->axis[MURK_NETCDF_TIME].n);
+    }
+    if (r->axis[MURK_NETCDF_X].is_degrees) {
+        snprintf(out + n, size - (size_t)n,
+                 "; degrees as x and y within %.3g m", off_m);
     }
 }
 
+/* off_m: the error of places of axes in degrees. */
 static murk_status read_values(murk_netcdf_reader *r, const sources *from,
-                               murk_field_block *block, murk_field_head *head)
+                               double off_m, murk_field_block *block,
+                               murk_field_head *head)
 {
     const size_t n = r->axis[MURK_NETCDF_X].n * r->axis[MURK_NETCDF_Y].n *
                      r->axis[MURK_NETCDF_Z].n;
@@ -389,7 +441,8 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
     char name[NC_MAX_NAME + 1] = "";
     nc_inq_varname(r->file, from->first, name);
     snprintf(head->name, sizeof head->name, "%.100s", name);
-    describe(head->note, sizeof head->note, r, frame[0], weight > 0, &found);
+    describe(head->note, sizeof head->note, r, frame[0], weight > 0, &found,
+             off_m);
     head->effective_radius_um = found.weight > 0
                                     ? found.weighted / found.weight
                                     : r->request->asked.effective_radius_um;
@@ -455,11 +508,15 @@ static murk_status set_edges(const murk_netcdf_reader *r, int which,
 static murk_status read_open(murk_netcdf_reader *r, murk_field_head *head,
                              murk_field_block *block)
 {
+    /* Variables and their axes, the part of them, grid lines, then values. */
     sources from;
     const bool has_nodes = r->request->asked.is_linear;
     murk_status status = find_sources(r, &from);
     if (!status) {
         status = murk_netcdf_read_axes(r, from.first);
+    }
+    if (!status) {
+        status = murk_netcdf_cut(r);
     }
     if (!status && r->axis[MURK_NETCDF_X].n > MURK_FIELD_VALUES_MAX /
                                                   r->axis[MURK_NETCDF_Y].n /
@@ -471,7 +528,11 @@ static murk_status read_open(murk_netcdf_reader *r, murk_field_head *head,
     for (int i = MURK_NETCDF_X; i <= MURK_NETCDF_Z && !status; ++i) {
         status = set_edges(r, i, has_nodes, block);
     }
-    return status ? status : read_values(r, &from, block, head);
+    double off_m = 0;
+    if (!status) {
+        status = murk_netcdf_place(r, block, &off_m);
+    }
+    return status ? status : read_values(r, &from, off_m, block, head);
 }
 
 murk_status murk_netcdf_read(murk_field_head *head, murk_field_block *block,

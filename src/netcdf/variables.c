@@ -72,6 +72,21 @@ static const murk_netcdf_unit lengths[] = {
     {"m", 1},      {"metre", 1}, {"meter", 1},        {"metres", 1},
     {"meters", 1}, {"km", 1000}, {"kilometer", 1000}, {"kilometre", 1000},
     {NULL, 0}};
+/* Of X and Y as CF names them (4.1 and 4.2). */
+static const murk_netcdf_unit degrees[2][7] = {{{"degrees_east", 1},
+                                                {"degree_east", 1},
+                                                {"degrees_E", 1},
+                                                {"degree_E", 1},
+                                                {"degreesE", 1},
+                                                {"degreeE", 1},
+                                                {NULL, 0}},
+                                               {{"degrees_north", 1},
+                                                {"degree_north", 1},
+                                                {"degrees_N", 1},
+                                                {"degree_N", 1},
+                                                {"degreesN", 1},
+                                                {"degreeN", 1},
+                                                {NULL, 0}}};
 static const murk_netcdf_unit times[] = {
     {"seconds", 1}, {"second", 1},   {"s", 1},        {"minutes", 60},
     {"minute", 60}, {"min", 60},     {"hours", 3600}, {"hour", 3600},
@@ -239,6 +254,8 @@ static int axis_of(const murk_netcdf_reader *r, int variable, const char *name)
                  {"latitude", MURK_NETCDF_Y},
                  {"altitude", MURK_NETCDF_Z},
                  {"height", MURK_NETCDF_Z},
+                 {"height_above_mean_sea_level", MURK_NETCDF_Z},
+                 {"height_above_reference_ellipsoid", MURK_NETCDF_Z},
                  {"depth", MURK_NETCDF_Z},
                  {"time", MURK_NETCDF_TIME}};
     char text[TEXT_SIZE];
@@ -252,6 +269,11 @@ static int axis_of(const murk_netcdf_reader *r, int variable, const char *name)
     if (strstr(text, " since ")) {
         return MURK_NETCDF_TIME;
     }
+    for (int i = MURK_NETCDF_X; i <= MURK_NETCDF_Y; ++i) {
+        if (factor_of(degrees[i], text) > 0) {
+            return i;
+        }
+    }
     get_text(r, variable, "standard_name", text);
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         if (strcmp(text, names[i].standard) == 0) {
@@ -263,9 +285,10 @@ static int axis_of(const murk_netcdf_reader *r, int variable, const char *name)
     return name[0] && by_letter ? (int)(by_letter - "xyzt") : -1;
 }
 
-/* The factor from the unit of an axis to metres or seconds. */
+/* The factor from the unit of an axis to metres, degrees or seconds. */
 static murk_status find_factor(const murk_netcdf_reader *r, int variable,
-                               int which, const char *name, double *factor)
+                               int which, const char *name, double *factor,
+                               bool *is_degrees)
 {
     char text[TEXT_SIZE], word[TEXT_SIZE];
     get_text(r, variable, "units", text);
@@ -274,6 +297,11 @@ static murk_status find_factor(const murk_netcdf_reader *r, int variable,
         word[strcspn(word, " ")] = '\0';
     }
     *factor = factor_of(which == MURK_NETCDF_TIME ? times : lengths, word);
+    /* Degrees go with X and Y alone. */
+    *is_degrees = which <= MURK_NETCDF_Y && factor_of(degrees[which], word) > 0;
+    if (*is_degrees) {
+        *factor = 1;
+    }
     if (*factor > 0) {
         return MURK_OK;
     }
@@ -281,8 +309,57 @@ static murk_status find_factor(const murk_netcdf_reader *r, int variable,
         r->err, MURK_BAD_VALUE, r->request->where,
         "axis %.60s has the unit \"%.60s\", must be %s", name, text,
         which == MURK_NETCDF_TIME ? "seconds, minutes, hours or days since"
-                                  : "m or km: other coordinates must be "
-                                    "projected before");
+        : which == MURK_NETCDF_Z
+            ? "m or km: levels of another kind must be converted to heights "
+              "before"
+            : "m, km, or degrees_east and degrees_north: other coordinates "
+              "must be projected before");
+}
+
+/* Fails for a dimension that has no coordinates of its own. */
+static murk_status no_coordinates(const murk_netcdf_reader *r, int dimension,
+                                  const char *name)
+{
+    int n = 0;
+    nc_inq_nvars(r->file, &n);
+    for (int i = 0; i < n; ++i) {
+        int dimensions = 0, own[2] = {-1, -1};
+        char unit[TEXT_SIZE];
+        if (nc_inq_varndims(r->file, i, &dimensions) != NC_NOERR ||
+            dimensions != 2 || nc_inq_vardimid(r->file, i, own) != NC_NOERR) {
+            continue;
+        }
+        /* Longitudes or latitudes along two dimensions. */
+        get_text(r, i, "units", unit);
+        if ((own[0] == dimension || own[1] == dimension) &&
+            (factor_of(degrees[MURK_NETCDF_X], unit) > 0 ||
+             factor_of(degrees[MURK_NETCDF_Y], unit) > 0)) {
+            return murk_fail(
+                r->err, MURK_BAD_FILE, r->request->where,
+                "%.60s: dimension of a curvilinear grid, with longitudes and "
+                "latitudes over two dimensions: must be brought to axes of "
+                "one before (cdo remapbil)",
+                name);
+        }
+    }
+    return murk_netcdf_bad(r, MURK_BAD_FILE,
+                           ": dimension without a variable of its name that "
+                           "has its coordinates",
+                           name);
+}
+
+/* Makes longitudes and their bounds go on beyond 180 or 360 degrees, in the
+ * order of the file. */
+static void join_longitudes(murk_netcdf_axis *a)
+{
+    for (size_t i = 0; i < a->n; ++i) {
+        if (i > 0) {
+            a->at[i] = a->at[i - 1] + remainder(a->at[i] - a->at[i - 1], 360);
+        }
+        for (size_t k = 2 * i; a->bound && k < 2 * i + 2; ++k) {
+            a->bound[k] = a->at[i] + remainder(a->bound[k] - a->at[i], 360);
+        }
+    }
 }
 
 /* Reads the bounds of cells of an axis, if it has any (CF 7.1). */
@@ -363,6 +440,17 @@ static bool points_down(const murk_netcdf_reader *r, int variable)
                        : strcmp(name, "depth") == 0;
 }
 
+/* True if the heights of the vertical axis count from the sea, by their
+ * standard name. */
+static bool counts_from_sea(const murk_netcdf_reader *r, int variable)
+{
+    char name[TEXT_SIZE];
+    get_text(r, variable, "standard_name", name);
+    return strcmp(name, "altitude") == 0 ||
+           strcmp(name, "height_above_mean_sea_level") == 0 ||
+           strcmp(name, "height_above_reference_ellipsoid") == 0;
+}
+
 /* Reads the coordinate variable of a dimension. */
 static murk_status read_axis(murk_netcdf_reader *r, int dimension)
 {
@@ -375,11 +463,7 @@ static murk_status read_axis(murk_netcdf_reader *r, int dimension)
         dimensions != 1 ||
         nc_inq_vardimid(r->file, variable, &own) != NC_NOERR ||
         own != dimension) {
-        return murk_netcdf_bad(
-            r, MURK_BAD_FILE,
-            ": dimension without a variable of its name that has its "
-            "coordinates",
-            name);
+        return no_coordinates(r, dimension, name);
     }
     const int which = axis_of(r, variable, name);
     if (which < 0 || r->axis[which].at || n == 0 || n > MURK_FIELD_CELLS_MAX) {
@@ -387,27 +471,36 @@ static murk_status read_axis(murk_netcdf_reader *r, int dimension)
             r, MURK_BAD_FILE,
             ": is none of the axes X, Y, Z and T, or one of them twice", name);
     }
-    /* Coordinates in metres or seconds, and bounds. */
+    /* Coordinates in metres, degrees or seconds, and bounds. */
     murk_netcdf_axis *a = &r->axis[which];
     double factor = 0;
-    *a = (murk_netcdf_axis){
-        .dimension = dimension, .n = n, .at = malloc(n * sizeof *a->at)};
+    *a = (murk_netcdf_axis){.dimension = dimension,
+                            .n = n,
+                            .length = n,
+                            .cycle = n,
+                            .at = malloc(n * sizeof *a->at)};
     if (!a->at) {
         return murk_no_memory(r->err, r->request->where, "for an axis");
     }
-    murk_status status = find_factor(r, variable, which, name, &factor);
+    murk_status status =
+        find_factor(r, variable, which, name, &factor, &a->is_degrees);
     if (!status && nc_get_var_double(r->file, variable, a->at) != NC_NOERR) {
         status = murk_netcdf_bad(r, MURK_BAD_FILE, ": cannot be read", name);
     }
     if (!status) {
         murk_netcdf_unpack_values(r, variable, a->at, n);
         factor *= which == MURK_NETCDF_Z && points_down(r, variable) ? -1 : 1;
+        a->is_above_sea =
+            which == MURK_NETCDF_Z && counts_from_sea(r, variable);
     }
     for (size_t i = 0; i < n && !status; ++i) {
         a->at[i] *= factor;
     }
     if (!status && which != MURK_NETCDF_TIME) {
         status = read_bounds(r, variable, factor, a);
+    }
+    if (!status && a->is_degrees && which == MURK_NETCDF_X) {
+        join_longitudes(a);
     }
     return status ? status : order_axis(r, name, a);
 }

@@ -20,9 +20,15 @@ enum {
 typedef struct murk_netcdf_axis {
     int dimension; /* of the file; -1: the variable has none */
     size_t n;
-    double *at;      /* [n], in metres or seconds, rising */
-    double *bound;   /* [2 n], CF bounds; NULL: none */
-    bool is_falling; /* the file has the values from high to low */
+    double *at;        /* [n], in metres, degrees or seconds, rising */
+    double *bound;     /* [2 n], CF bounds; NULL: none */
+    bool is_falling;   /* the file has the values from high to low */
+    bool is_degrees;   /* longitudes or latitudes */
+    bool is_above_sea; /* heights that count from the sea */
+    /* The part of the dimension that is read. Coordinates of the file are
+     * counted as they rise; at[0] is the one of number `first`, and after that
+     * of number cycle - 1 comes number 0. */
+    size_t length, first, cycle;
 } murk_netcdf_axis;
 
 /* An open file, and what was asked of it. */
@@ -61,7 +67,8 @@ murk_status murk_netcdf_unit_of(const murk_netcdf_reader *r, int variable,
 void murk_netcdf_unpack_values(const murk_netcdf_reader *r, int variable,
                                double *value, size_t n);
 
-/* Reads the axes of a variable, which must have X, Y and Z, and T at most.
+/* Reads the axes of a variable, which must have X, Y and Z, and T at most, in
+ * full length.
  * Fails with MURK_BAD_FILE, MURK_BAD_VALUE or MURK_NO_MEMORY. */
 murk_status murk_netcdf_read_axes(murk_netcdf_reader *r, int variable);
 

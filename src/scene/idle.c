@@ -66,6 +66,16 @@ static bool uses_weather(const murk_scene_desc *s)
     return uses;
 }
 
+/* True if a field may have axes of longitude and latitude. */
+static bool has_netcdf(const murk_scene_desc *s)
+{
+    bool has = false;
+    for (size_t i = 0; i < s->n_media; ++i) {
+        has = has || s->media[i].netcdf;
+    }
+    return has;
+}
+
 /* Adds the features of a scene. */
 static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
 {
@@ -98,8 +108,8 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [BUDGET] = s->sensors.budget > 0,
         [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
         [SITE] = murk_idle_asks_time(s) || murk_scene_has_ground(s) ||
-                 uses_weather(s) || s->sensors.candidates.points.files > 0 ||
-                 p->targets.points ||
+                 uses_weather(s) || has_netcdf(s) ||
+                 s->sensors.candidates.points.files > 0 || p->targets.points ||
                  /* positions of sensors by longitude and latitude */
                  (s->site.has_latitude && s->site.has_longitude &&
                   s->sensors.types > 0),

@@ -183,6 +183,13 @@ static murk_status check_medium(murk_key_reader *walk, const murk_yaml *map,
                                 void *item)
 {
     murk_scene_medium *medium = item;
+    if (medium->has_within) {
+        const murk_status status =
+            murk_check_within(walk, map, medium->within_m);
+        if (status) {
+            return status;
+        }
+    }
     /* The file of the frame, then the properties of the preset. */
     if (medium->has_frame) {
         const murk_status status = choose_frame(walk, map, medium);
@@ -324,6 +331,8 @@ static const murk_key MEDIUM_ROWS[] = {
         .unit = "s", .selects_files = true, MEDIUM(time_s)),
     ROW("time_s", NUMBER, .variants = NETCDF, .max = 1e9, .unit = "s",
         .preset = "0", .selects_files = true, MEDIUM(time_s)),
+    WITHIN_ROW(MEDIUM(within_m), FLAG(murk_scene_medium, has_within),
+               .variants = NETCDF),
     ROW("profile", MAP, .group = 1, .variants = PLAIN, .keys = &PROFILE),
     ROW("extinction_per_m", SPECTRUM, NEEDED, EXTINCTION,
         .variants = BIT(MEDIUM_HOMOGENEOUS) | BIT(MEDIUM_GRID)),

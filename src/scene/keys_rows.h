@@ -84,6 +84,15 @@
     ROW("fournier_forand", NUMBERS, .group = 1, NEEDED, FOURNIER_FORAND_ITEMS, \
         __VA_ARGS__)
 
+/* The row of a box that cuts a part out of a file, a double[4] with a flag;
+ * murk_check_within() checks the box. The arguments are AT(...), FLAG(...) and
+ * further members of the row. */
+#define WITHIN_ROW(...)                                                   \
+    ROW("within_m", NUMBERS,                                              \
+        LIST_ITEMS(ROW("x0", NUMBER, LONG_M), ROW("y0", NUMBER, LONG_M),  \
+                   ROW("x1", NUMBER, LONG_M), ROW("y1", NUMBER, LONG_M)), \
+        .selects_files = true, __VA_ARGS__)
+
 /* Rows of a struct that has a murk_scene_solid as the member `solid`. The
  * further arguments (group, variants) are added to each row, but not to the
  * rows unit_m and up. */
@@ -140,6 +149,10 @@ murk_status murk_check_box(murk_key_reader *walk, const murk_yaml *map,
 /* Checks that two edges span an area. */
 murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
                              murk_vec3 edge1, murk_vec3 edge2);
+
+/* Fails unless the box of WITHIN_ROW() has an area. */
+murk_status murk_check_within(murk_key_reader *walk, const murk_yaml *map,
+                              const double box[4]);
 
 /* Readers of keys that need a reader of their own: into murk_scene_site,
  * murk_scene_schedule. */

@@ -33,6 +33,17 @@ murk_status murk_check_edges(murk_key_reader *walk, const murk_yaml *map,
                                          "must not be zero or parallel");
 }
 
+murk_status murk_check_within(murk_key_reader *walk, const murk_yaml *map,
+                              const double box[4])
+{
+    return box[0] < box[2] && box[1] < box[3]
+               ? MURK_OK
+               : murk_walk_fail(walk, murk_yaml_get(map, "within_m"),
+                                "within_m is [%.9g, %.9g, %.9g, %.9g], must be "
+                                "[x0, y0, x1, y1] with x0 < x1 and y0 < y1",
+                                box[0], box[1], box[2], box[3]);
+}
+
 static const murk_key BOX_ROWS[] = {
     ROW("min_m", VECTOR, NEEDED, LONG_M, AT(murk_box, min)),
     ROW("max_m", VECTOR, NEEDED, LONG_M, AT(murk_box, max)),

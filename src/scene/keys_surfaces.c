@@ -39,15 +39,12 @@ static murk_status check_geotiff(murk_key_reader *walk, const murk_yaml *map,
                                  void *item)
 {
     const murk_geotiff_asked *asked = &((murk_scene_geometry *)item)->geotiff;
-    const double *box = asked->within_m;
-    if (asked->has_within && !(box[0] < box[2] && box[1] < box[3])) {
-        return murk_walk_fail(walk, murk_yaml_get(map, "within_m"),
-                              "within_m is [%.9g, %.9g, %.9g, %.9g], must be "
-                              "[x0, y0, x1, y1] with x0 < x1 and y0 < y1",
-                              box[0], box[1], box[2], box[3]);
-    }
+    const murk_status status =
+        asked->has_within ? murk_check_within(walk, map, asked->within_m)
+                          : MURK_OK;
     const murk_scene_site *site = &walk->scene->site;
-    return site->has_latitude && site->has_longitude
+    return status ? status
+           : site->has_latitude && site->has_longitude
                ? MURK_OK
                : murk_walk_fail(walk, map,
                                 "needs site.latitude_deg and "
@@ -72,11 +69,8 @@ static const murk_key GEOTIFF_ROWS[] = {
     ROW("nodata", NUMBER, .min = -DBL_MAX, .max = DBL_MAX,
         .selects_files = true, GEOMETRY(geotiff.nodata),
         FLAG(murk_scene_geometry, geotiff.has_nodata)),
-    ROW("within_m", NUMBERS,
-        LIST_ITEMS(ROW("x0", NUMBER, LONG_M), ROW("y0", NUMBER, LONG_M),
-                   ROW("x1", NUMBER, LONG_M), ROW("y1", NUMBER, LONG_M)),
-        .selects_files = true, GEOMETRY(geotiff.within_m),
-        FLAG(murk_scene_geometry, geotiff.has_within)),
+    WITHIN_ROW(GEOMETRY(geotiff.within_m),
+               FLAG(murk_scene_geometry, geotiff.has_within)),
     END,
 };
 

@@ -168,6 +168,9 @@ typedef struct murk_scene_medium {
         size_t n;
         double *value, *density; /* [n] */
     } law;
+    bool has_within;    /* only the part of the NetCDF file in the next box */
+    double within_m[4]; /* x and y from, x and y to, without the placement of
+                         * the region */
     murk_scene_numbers profile_z_m; /* n 0: no profile */
     murk_scene_spectra profile_per_m;
 } murk_scene_medium;

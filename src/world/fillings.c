@@ -5,6 +5,7 @@
 #include "world/fillings.h"
 
 #include "scene/frames.h"
+#include "scene/ground.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -68,9 +69,10 @@ murk_status murk_fillings_files(const murk_scene_desc *scene, size_t i,
 }
 
 /* Reads the grids of medium i. */
-static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
+static murk_status read_grids(murk_fillings *f, const murk_scene_desc *scene,
                               size_t i, murk_error *err)
 {
+    const murk_scene_medium *m = &scene->media[i];
     murk_status status = MURK_OK;
     /* The density by the kind of file, then the albedo. */
     if (m->vdb_next) {
@@ -87,7 +89,7 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
                                       .time_s = m->time_s};
         status = murk_grid_read_fds(&f->grid[i], m->fds, &asked, m->where, err);
     } else if (m->netcdf) {
-        const murk_netcdf_asked asked = {
+        murk_netcdf_asked asked = {
             .liquid_water = m->liquid_water,
             .effective_radius = m->effective_radius,
             .variable = m->variable,
@@ -95,7 +97,11 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
             .per_unit = m->per_unit,
             .law = {m->law.n, m->law.value, m->law.density},
             .time_s = m->time_s,
-            .is_linear = m->is_linear};
+            .is_linear = m->is_linear,
+            .has_within = m->has_within,
+            .altitude_m = scene->site.altitude_m};
+        memcpy(asked.within_m, m->within_m, sizeof asked.within_m);
+        asked.has_frame = murk_scene_frame(scene, &asked.frame);
         status = murk_grid_read_netcdf(&f->grid[i], m->netcdf, &asked, m->where,
                                        err);
     }
@@ -108,14 +114,15 @@ static murk_status read_grids(murk_fillings *f, const murk_scene_medium *m,
 
 /* Reads or shares the grids of medium i, and borrows the profile from the
  * scene. */
-static murk_status fill(murk_fillings *f, const murk_scene_medium *m, size_t i,
-                        const murk_fillings *other, size_t from,
+static murk_status fill(murk_fillings *f, const murk_scene_desc *scene,
+                        size_t i, const murk_fillings *other, size_t from,
                         murk_error *err)
 {
+    const murk_scene_medium *m = &scene->media[i];
     f->profile[i] = (murk_profile){m->profile_z_m.n, m->profile_z_m.value,
                                    m->profile_per_m.value};
     if (from == MURK_NOT_SHARED) {
-        return read_grids(f, m, i, err);
+        return read_grids(f, scene, i, err);
     }
     f->grid[i] = murk_grid_share(other->grid[from]);
     f->albedo[i] = murk_grid_share(other->albedo[from]);
@@ -142,8 +149,8 @@ murk_status murk_fillings_create(murk_fillings **out,
             : murk_no_memory(err, scene->path, "for what fills its media");
     /* Read the files of each medium. */
     for (size_t i = 0; i < scene->n_media && !status; ++i) {
-        status = fill(f, &scene->media[i], i, other,
-                      from ? from[i] : MURK_NOT_SHARED, err);
+        status =
+            fill(f, scene, i, other, from ? from[i] : MURK_NOT_SHARED, err);
     }
     if (status) {
         murk_fillings_destroy(f);

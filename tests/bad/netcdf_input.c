@@ -21,12 +21,14 @@
 
 static char path[] = "/tmp/murk-netcdf-XXXXXX";
 
-/* Writes a file with two times of a field, packed, and its radius. */
-static void write_whole(int format)
+/* Writes a file with two times of a field, packed, and its radius, on axes in
+ * metres or in degrees. */
+static void write_whole(int format, bool has_degrees)
 {
     static const char *const names[] = {"t", "z", "y", "x"};
-    static const char *const units[] = {"seconds since 2000-01-01", "m", "km",
-                                        "m"};
+    const char *const units[] = {"seconds since 2000-01-01", "m",
+                                 has_degrees ? "degrees_north" : "km",
+                                 has_degrees ? "degrees_east" : "m"};
     static const size_t length[] = {2, 5, 4, 6};
     int file, dimension[4], axis[4], water, radius;
     const double scale = 1e-3;
@@ -47,7 +49,9 @@ static void write_whole(int format)
     for (int i = 0; i < 4; ++i) {
         double at[6];
         for (size_t k = 0; k < length[i]; ++k) {
-            at[k] = 10.0 * (double)(k * k + k);
+            /* About longitude and latitude 0. */
+            const double unit = has_degrees && i > 1 ? 0.01 : 10;
+            at[k] = unit * (double)(k * k + k);
         }
         CHECK(nc_put_var_double(file, axis[i], at) == NC_NOERR);
     }
@@ -66,6 +70,7 @@ static void write_whole(int format)
 static murk_status read_field(murk_subprocess *to, void *context,
                               murk_error *err)
 {
+    /* Most of the file, with axes in degrees about its first place. */
     const murk_netcdf_request request = {
         .path = path,
         .where = "bad.yaml:1:1",
@@ -73,6 +78,10 @@ static murk_status read_field(murk_subprocess *to, void *context,
                   .effective_radius = "reff",
                   .per_unit = 1,
                   .time_s = 7,
+                  .has_within = true,
+                  .within_m = {-1e6, -1e6, 1e6, 1e6},
+                  .has_frame = true,
+                  .frame = murk_local_frame_at(0.1, 0.1, 0, 1),
                   .is_linear = context != NULL}};
     murk_field_head head = {.name = ""};
     murk_field_block *block = calloc(1, sizeof *block);
@@ -114,9 +123,9 @@ static bool survives(bool is_linear)
 }
 
 /* Reads `files` broken copies of a file of a format. */
-static void test_format(int format, uint32_t files)
+static void test_format(int format, bool has_degrees, uint32_t files)
 {
-    write_whole(format);
+    write_whole(format, has_degrees);
     const broken_bytes whole = broken_load(path);
     const size_t size = whole.size;
     CHECK(size > 1000 && size < WHOLE_BYTES);
@@ -158,7 +167,8 @@ int main(int argc, char **argv)
     CHECK(file >= 0);
     close(file);
     (void)murk_warn_quiet(true); /* of fields of zeros */
-    test_format(0, files);
+    test_format(0, false, files - files / 2);
+    test_format(0, true, files / 2);
     unlink(path);
     return check_done();
 }

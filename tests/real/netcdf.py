@@ -339,6 +339,193 @@ SENSORS = ("sensors={types: [{name: s, range_m: 5000, view: {cone_deg: 60}}], co
            "candidates: {grid: {min_m: [0, 0, 900], max_m: [100, 100, 1000], size: [2, 2, 2]}}}")
 
 
+# ---- axes of longitude and latitude ----
+
+def transverse_mercator(latitude, longitude, site):
+    """x and y [m] on WGS84 with scale 1 about a site, by the series of Snyder 1987 (USGS professional paper 1395,
+    doi:10.3133/pp1395, eqs. 3-21 and 8-9 to 8-10), which murk does not use; within 1 mm some degrees from the site."""
+    a, f = 6378137.0, 1 / 298.257223563
+    e2 = f * (2 - f)
+
+    def arc(p):
+        return a * ((1 - e2 / 4 - 3 * e2**2 / 64 - 5 * e2**3 / 256) * p
+                    - (3 * e2 / 8 + 3 * e2**2 / 32 + 45 * e2**3 / 1024) * math.sin(2 * p)
+                    + (15 * e2**2 / 256 + 45 * e2**3 / 1024) * math.sin(4 * p) - 35 * e2**3 / 3072 * math.sin(6 * p))
+    p = math.radians(latitude)
+    e2p, n = e2 / (1 - e2), a / math.sqrt(1 - e2 * math.sin(p)**2)
+    t, c = math.tan(p)**2, e2 / (1 - e2) * math.cos(p)**2
+    w = math.radians(math.remainder(longitude - site[1], 360)) * math.cos(p)
+    x = n * (w + (1 - t + c) * w**3 / 6 + (5 - 18 * t + t * t + 72 * c - 58 * e2p) * w**5 / 120)
+    y = arc(p) - arc(math.radians(site[0])) + n * math.tan(p) * (
+        w**2 / 2 + (5 - t + 9 * c + 4 * c * c) * w**4 / 24 + (61 - 58 * t + t * t + 600 * c - 330 * e2p) * w**6 / 720)
+    return x, y
+
+
+def placed(longitudes, latitudes, site):
+    """x of the meridians and y of the parallels, the middles of their ranges, and the largest distance of a crossing."""
+    at = [[transverse_mercator(lat, lon, site) for lon in longitudes] for lat in latitudes]
+    x = [(min(column) + max(column)) / 2 for column in zip(*([p[0] for p in row] for row in at))]
+    y = [(min(p[1] for p in row) + max(p[1] for p in row)) / 2 for row in at]
+    return x, y, max(math.dist(p, (x[i], y[j])) for j, row in enumerate(at) for i, p in enumerate(row))
+
+
+def edges_of(middles):
+    inner = [(a + b) / 2 for a, b in zip(middles, middles[1:])]
+    return [2 * middles[0] - inner[0], *inner, 2 * middles[-1] - inner[-1]]
+
+
+def mud(i, j):
+    return (1 + (3 * i + 5 * j) % 8) / 64  # exact in single precision
+
+
+def write_degrees(file, longitudes, latitudes, values, **more):
+    """values: by the order of the file's axes, latitude outside; two layers alike."""
+    write_classic(file, {"lev": 2, "lat": len(latitudes), "lon": len(longitudes)}, {
+        "lon": (["lon"], "d", {"units": more.get("unit", "degrees_east")}, longitudes),
+        "lat": (["lat"], "d", {"units": "degrees_north"}, latitudes),
+        "lev": (["lev"], "d", {"units": "m", "axis": "Z", "standard_name": more.get("level", "height")}, [100.0, 300.0]),
+        "mud": (["lev", "lat", "lon"], "f", {"units": "g m-3"}, values * 2)})
+
+
+def at_site(site, keys, more=""):
+    """The scene of murk check and of lines through the field."""
+    place = f"site: {{latitude_deg: {site[0]}, longitude_deg: {site[1]}{more}}}\n" if site else ""
+    return SCENE.replace("media:", place + "media:") % f"{keys}, variable: mud, albedo: 1"
+
+
+def compare_degrees(folder):
+    """Lines along x, y and z through fields on longitudes and latitudes, against the series of Snyder. Steps of .02
+    degrees are 1.3 by 2.2 km; the cells of the file are those of x and y within some metres, which murk check tells."""
+    file = folder / "degrees.nc"
+    step = .02
+    for site, start, is_wrapped, is_falling in (
+            ((52.13, 5.27), 5.19, False, False), ((52.13, 5.27), 365.19, False, True), ((-33.4, 179.99), 179.91, True, True),
+            ((-33.4, -179.95), 179.97, False, False), ((0.03, 0.01), 359.93, True, False)):
+        longitudes = [start + step * i for i in range(9)]
+        latitudes = [math.floor(site[0] / step) * step + step * (j - 3) for j in range(8)]
+        stored = [math.remainder(lon, 360) if is_wrapped and start < 200 else lon % 360 if is_wrapped else lon for lon in longitudes]
+        rows = list(range(8))[::-1] if is_falling else list(range(8))
+        write_degrees(file, stored, [latitudes[j] for j in rows], [mud(i, j) for j in rows for i in range(9)])
+        for rule in ("nearest", "linear"):
+            lines_at = longitudes if rule == "linear" else edges_of(longitudes)
+            x, y, off = placed(lines_at, latitudes if rule == "linear" else edges_of(latitudes), site)
+            middle = [(a + b) / 2 for a, b in zip(y, y[1:])], [(a + b) / 2 for a, b in zip(x, x[1:])]
+            lines, want = [], []
+            for j in (1, 5):
+                # along x through row j, between edges of the file and across a part of the outermost cells
+                lines.append([x[0] + 200, middle[0][j], 200.0, x[-1] - 300, middle[0][j], 200.0])
+                lines.append([middle[1][j], y[0] + 200, 200.0, middle[1][j], y[-1] - 300, 200.0])
+                if rule == "nearest":
+                    clip = [x[0] + 200, *x[1:-1], x[-1] - 300]
+                    want.append(sum(mud(i, j) * (b - a) for i, (a, b) in enumerate(zip(clip, clip[1:]))))
+                    clip = [y[0] + 200, *y[1:-1], y[-1] - 300]
+                    want.append(sum(mud(j, k) * (b - a) for k, (a, b) in enumerate(zip(clip, clip[1:]))))
+                else:
+                    for axis, grid in ((0, x), (1, y)):
+                        value = [(mud(i, j) + mud(i, j + 1)) / 2 if axis == 0 else (mud(j, i) + mud(j + 1, i)) / 2
+                                 for i in range(len(grid))]
+                        total = 0
+                        for a, b, va, vb in zip(grid, grid[1:], value, value[1:]):
+                            low, high = max(a, grid[0] + 200), min(b, grid[-1] - 300)
+                            mean = va + (vb - va) * ((low + high) / 2 - a) / (b - a)
+                            total += mean * (high - low)
+                        want.append(total)
+            keys = f"netcdf: {file}, interpolation: {rule}, per_unit: 0.002"
+            got = predicted(murk, folder, at_site(site, keys), lines, "fraction")
+            if isinstance(got, str):
+                check(False, f"{site}: {got}")
+                continue
+            for value, sum_of in zip(got, want, strict=True):
+                tau = -math.log(value)
+                check(abs(tau / .002 - sum_of) <= 1e-6 * sum_of, f"{site}, {rule}: {tau / .002}, {sum_of}")
+            said = told(folder, at_site(site, keys))
+            check(f"degrees as x and y within {off:.3g} m" in said, f"{site}, {rule}: {off:.3g} m not in {said}")
+    compare_globe(folder)
+    compare_cuts(folder)
+    refuse_degrees(folder)
+
+
+def told(folder, scene):
+    (folder / "told.yaml").write_text(scene)
+    done = subprocess.run([murk, "check", folder / "told.yaml"], text=True, capture_output=True)
+    return " ".join((done.stdout + done.stderr).split())
+
+
+def compare_globe(folder):
+    """A file of the whole earth from 0 degrees on, which within_m cuts out across its first longitude, and one that
+    repeats it; every cell counts once, in its place."""
+    file, site = folder / "globe.nc", (10.0, 0.2)
+    for count in (720, 721):
+        longitudes, latitudes = [.5 * i for i in range(count)], [9 + .5 * j for j in range(5)]
+        write_degrees(file, longitudes, latitudes, [mud(i % 720, j) for j in range(5) for i in range(count)])
+        keys = f"netcdf: {file}, per_unit: 0.00002, within_m: [-15e3, -15e3, 15e3, 15e3]"
+        numbers = [-2, -1, 0, 1, 2]  # the box has parts of -1 (-.75 degrees) to 1; one more on each side
+        x, y, _ = placed(edges_of([.5 * i for i in numbers]), edges_of(latitudes), site)
+        middle = (y[2] + y[3]) / 2
+        for low, high in ((-2e4, 2e4), (-2e4, 0), (0, 2e4)):
+            got = predicted(murk, folder, at_site(site, keys), [[low, middle, 200.0, high, middle, 200.0]], "fraction")
+            want = sum(mud(i % 720, 2) * max(0, min(b, high) - max(a, low)) for i, a, b in zip(numbers, x, x[1:]))
+            check(not isinstance(got, str) and abs(-math.log(got[0]) / 2e-5 - want) <= 2e-6 * want, f"globe of {count}: {got}, {want}")
+
+
+def compare_cuts(folder):
+    """within_m of a file in metres: the cells of the box and one more on each side."""
+    file = folder / "metres.nc"
+    write_classic(file, {"z": 2, "y": 9, "x": 10}, {
+        "x": (["x"], "d", {"units": "m"}, [100.0 * i for i in range(10)][::-1]),
+        "y": (["y"], "d", {"units": "m"}, [100.0 * j for j in range(9)]), "z": (["z"], "d", {"units": "m"}, [100.0, 300.0]),
+        "mud": (["z", "y", "x"], "f", {"units": "g m-3"}, [mud(i, j) for _ in range(2) for j in range(9) for i in range(9, -1, -1)])})
+    for rule, first, last in (("nearest", 2, 7), ("linear", 2, 7)):
+        keys = f"netcdf: {file}, per_unit: 0.02, interpolation: {rule}, within_m: [320, 310, 580, 590]"
+        got = predicted(murk, folder, at_site(None, keys), [[-1e3, 400.0, 200.0, 2e3, 400.0, 200.0],
+                                                            [400.0, -1e3, 200.0, 400.0, 2e3, 200.0]], "fraction")
+        want = [sum(mud(i, 4) for i in range(first, last + 1)), sum(mud(4, j) for j in range(first, last + 1))]
+        if rule == "linear":
+            want = [want[0] - (mud(first, 4) + mud(last, 4)) / 2, want[1] - (mud(4, first) + mud(4, last)) / 2]
+        for value, total in zip(got, want, strict=True):
+            check(abs(-math.log(value) / 2 - total) <= 1e-6 * total, f"cut, {rule}: {-math.log(value) / 2}, {total}")
+    said = told(folder, at_site(None, f"netcdf: {file}, within_m: [1000, 0, 1100, 100]"))
+    check("has no values inside of within_m" in said, said)
+
+
+def refuse_degrees(folder):
+    """One line that says what to do; heights above the sea count from the site's altitude."""
+    file, site = folder / "refused.nc", (52.0, 5.0)
+    longitudes, latitudes = [4 + .1 * i for i in range(21)], [51 + .1 * j for j in range(21)]
+    write_degrees(file, longitudes, latitudes, [mud(i, j) for j in range(21) for i in range(21)])
+    keys = f"netcdf: {file}"
+    for scene, problem in (
+            (at_site(None, keys), "needs site.latitude_deg and site.longitude_deg; the middle of the file is at latitude 52, longitude 5"),
+            (at_site(site, keys).replace("murk: 1\n", "murk: 1\nnorth: [0.1, 1, 0]\n"), "needs north: [0, 1, 0]"),
+            (at_site((10, 5), keys), "within 2000 km of the site: within_m must cut out a part"),
+            (at_site((60, 20), keys), "must be at most half a cell"),
+            (at_site(site, keys + ", within_m: [3e5, 0, 4e5, 1e4]"), "has no values inside of within_m"),
+            (at_site(site, keys + ", within_m: [-3e7, 0, 4e5, 1e4]"), "must be within 2e+06 m of the site"),
+            (at_site(site, keys + ", within_m: [3, 0, 3, 1]"), "with x0 < x1 and y0 < y1")):
+        said = told(folder, scene)
+        check(problem in said and said.count("murk: ") == 1, f"{problem} not in {said}")
+    # half a cell: the error grows with the square of the box
+    x, y, off = placed(edges_of(longitudes), edges_of(latitudes), site)
+    half = min(b - a for grid in (x, y) for a, b in zip(grid, grid[1:])) / 2
+    said = told(folder, at_site(site, keys))
+    check((f"differ by {off:.3g} m from axes of x and y, must be at most half a cell, {half:.3g} m" in said) == (off > half)
+          and (f"within {off:.3g} m" in said) == (off <= half), f"{off} {half} {said}")
+    # other axes
+    write_degrees(file, longitudes, latitudes, [0.0] * 441, unit="degrees")
+    said = told(folder, at_site(site, keys))
+    check('lon has the unit "degrees", must be m, km, or degrees_east' in said or "none of the axes" in said, said)
+    write_classic(file, {"z": 2, "y": 2, "x": 2}, {
+        "z": (["z"], "d", {"units": "m"}, [1.0, 2.0]), "lon": (["y", "x"], "d", {"units": "degrees_east"}, [5.0, 5.1, 5.0, 5.1]),
+        "mud": (["z", "y", "x"], "f", {"units": "g m-3", "coordinates": "lon lat"}, [1.0] * 8)})
+    check("y: dimension of a curvilinear grid" in told(folder, at_site(site, keys)), told(folder, at_site(site, keys)))
+    # altitudes count from the sea, heights from z = 0
+    for level, low in (("altitude", -170), ("height", 0)):
+        write_degrees(file, longitudes[9:12], latitudes[9:12], [.25] * 9, level=level)
+        got = predicted(murk, folder, at_site(site, keys + ", per_unit: 0.01", ", altitude_m: 170"),
+                        [[100.0, 100.0, -500.0, 100.0, 100.0, low + 100.0]], "fraction")
+        check(not isinstance(got, str) and abs(-math.log(got[0]) - .25) <= 1e-6, f"{level}: {got}")
+
+
 if not (murk.parent / "libmurk0" / "murk-netcdf").exists():
     print("skipped: this build has no murk-netcdf")
     sys.exit(77)
@@ -351,6 +538,7 @@ with tempfile.TemporaryDirectory() as name:
     compare_word(folder)
     compare_droplets(folder)
     compare_light(folder)
+    compare_degrees(folder)
     if DATA.is_dir():
         compare_reference(folder, "rico32x37x26_reference.csv", "rico32x37x26.nc")
         compare_reference(folder, "rico32x37x26_3frames_reference.csv", "rico32x37x26_3frames_classic.nc")
