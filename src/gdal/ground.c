@@ -133,6 +133,7 @@ static murk_status make_mesh(ground *g, murk_error *err)
                                    .rows = g->window.rows,
                                    .height_m = g->height_m,
                                    .error_m = g->request->asked.error_m,
+                                   .triangles_max = MURK_HEIGHT_TRIANGLES_MAX,
                                    .bend = g->bend};
     if (!murk_height_mesh_make(&g->mesh, &grid)) {
         return murk_no_memory(err, g->request->where,
@@ -142,6 +143,14 @@ static murk_status make_mesh(ground *g, murk_error *err)
     if (g->mesh.triangles == 0) {
         return murk_fail(err, MURK_BAD_FILE, g->request->where,
                          "has no three heights side by side");
+    }
+    /* The mesh has ended there. */
+    if (g->mesh.triangles > grid.triangles_max) {
+        return murk_fail(err, MURK_BAD_VALUE, g->request->where,
+                         "needs more than %zu triangles for error_m %g m: "
+                         "error_m must be larger, or within_m must cut out a "
+                         "part",
+                         grid.triangles_max, grid.error_m);
     }
     g->facts.columns = grid.columns;
     g->facts.rows = grid.rows;

@@ -342,6 +342,9 @@ static void add(maker *m, node a, node b, node c)
 {
     const node middle = {(a.x + b.x) / 2, (a.y + b.y) / 2};
     const bool is_smallest = (a.x + b.x) % 2 == 1;
+    if (m->out->triangles > m->grid->triangles_max) {
+        return;
+    }
     if (!is_smallest && is_used(m, middle.x, middle.y)) {
         add(m, c, a, middle);
         add(m, b, c, middle);

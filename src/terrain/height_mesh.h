@@ -27,6 +27,10 @@
  * the mesh is made. */
 #define MURK_HEIGHTS_MAX ((size_t)1 << 24)
 
+/* Triangles of the ground; a choice: 2^22 take 9 s of processor time, of two
+ * shared processors, from the file to surfaces that light can meet. */
+#define MURK_HEIGHT_TRIANGLES_MAX ((size_t)1 << 22)
+
 /* The grid is a map of the ground, on which its columns and rows are curves.
  * So the place of a point is not exactly where it would be in a flat triangle
  * of the grid: the difference is at most (dcc C^2 + 2 dcr C R + drr R^2) / 6
@@ -43,6 +47,7 @@ typedef struct murk_height_grid {
     size_t columns, rows;   /* at least 2 */
     const double *height_m; /* [rows][columns]; NAN: not known */
     double error_m;         /* largest error of the mesh, 0 or more */
+    size_t triangles_max;   /* a mesh of more ends with the next triangle */
     murk_height_bend bend;
 } murk_height_grid;
 

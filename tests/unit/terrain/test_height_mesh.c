@@ -164,6 +164,7 @@ static size_t check_mesh(size_t columns, size_t rows, shape *of, double error_m)
                                 .rows = rows,
                                 .height_m = h,
                                 .error_m = error_m,
+                                .triangles_max = SIZE_MAX,
                                 .bend = {.shift_max_m = 1}};
     murk_height_mesh mesh;
     CHECK(murk_height_mesh_make(&mesh, &g));
@@ -250,6 +251,7 @@ static void test_bend(void)
         .rows = 33,
         .height_m = h,
         .error_m = 0.1,
+        .triangles_max = SIZE_MAX,
         .bend = {1e-3, 0, 2e-3, .per_m = 1, .shift_max_m = 9}};
     murk_height_mesh mesh;
     /* The whole square: 32 * 32 * 3e-3 / 6 = 0.512 m times a slope of 0.559. A
@@ -270,10 +272,35 @@ static void test_bend(void)
     free(h);
 }
 
+/* A mesh of more triangles than allowed ends with the next one. */
+static void test_triangles_max(void)
+{
+    double *h = make_heights(40, 31, hills);
+    murk_height_grid g = {.columns = 40,
+                          .rows = 31,
+                          .height_m = h,
+                          .triangles_max = 2 * 39 * 30,
+                          .bend = {.shift_max_m = 1}};
+    murk_height_mesh mesh;
+    CHECK(murk_height_mesh_make(&mesh, &g));
+    CHECK(mesh.triangles == g.triangles_max);
+    murk_height_mesh_release(&mesh);
+    g.triangles_max -= 1;
+    CHECK(murk_height_mesh_make(&mesh, &g));
+    CHECK(mesh.triangles == g.triangles_max + 1);
+    murk_height_mesh_release(&mesh);
+    g.triangles_max = 100;
+    CHECK(murk_height_mesh_make(&mesh, &g));
+    CHECK(mesh.triangles == 101);
+    murk_height_mesh_release(&mesh);
+    free(h);
+}
+
 int main(void)
 {
     test_shapes();
     test_numbers();
     test_bend();
+    test_triangles_max();
     return check_done();
 }
