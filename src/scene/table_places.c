@@ -13,6 +13,7 @@ murk_status murk_table_places_find(murk_table_places *out,
                                    bool may_be_above, murk_error *err)
 {
     static const char *const names[] = {"x_m", "y_m", "z_m"};
+    static const char *const of_earth[] = {"longitude_deg", "latitude_deg"};
     const long longitude = murk_table_column(table, "longitude_deg"),
                latitude = murk_table_column(table, "latitude_deg");
     murk_table_places p = {.table = table, .scene = scene, .above = -1};
@@ -21,7 +22,7 @@ murk_status murk_table_places_find(murk_table_places *out,
     }
     /* Longitude and latitude where there is no x and y. */
     p.is_on_earth =
-        p.at[0] < 0 && p.at[1] < 0 && longitude >= 0 && latitude >= 0;
+        p.at[0] < 0 && p.at[1] < 0 && (longitude >= 0 || latitude >= 0);
     if (p.is_on_earth) {
         p.at[0] = longitude;
         p.at[1] = latitude;
@@ -36,7 +37,7 @@ murk_status murk_table_places_find(murk_table_places *out,
                 "misses column %s, must have x_m, y_m and z_m, or "
                 "longitude_deg and latitude_deg in place of x_m "
                 "and y_m%s",
-                names[i],
+                p.is_on_earth && i < 2 ? of_earth[i] : names[i],
                 may_be_above ? ", or above_ground_m in place of z_m" : "");
         }
     }

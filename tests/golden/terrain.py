@@ -101,7 +101,12 @@ def refused(folder):
                     "sensors: {types: [{name: n, range_m: 5}], candidates: {points: bad.csv}, count: 1}\n")
     cases = [
         (bare, "longitude_deg,latitude_deg,z_m\n9,47,1\n", [], "site.longitude_deg and site.latitude_deg"),
-        (bare, "longitude_deg,z_m\n9,1\n", [], "misses column x_m"),
+        (bare, "longitude_deg,z_m\n9,1\n", [], "misses column latitude_deg,"),
+        (bare, "latitude_deg,z_m\n9,1\n", [], "misses column longitude_deg,"),
+        (bare, "x_m,longitude_deg,latitude_deg,z_m\n9,1,1,1\n", [], "misses column y_m,"),
+        (bare, "longitude_deg,latitude_deg\n9,47\n", ["--set", "site={latitude_deg: 47, longitude_deg: 9}"],
+         "misses column z_m, must have x_m, y_m and z_m, or longitude_deg and latitude_deg in place of x_m and y_m, or above_ground_m"),
+        (bare, "longitude_deg,latitude_deg,z_m\n9,47,\n", ["--set", "site={latitude_deg: 47, longitude_deg: 9}"], "bad.csv:2"),
         (bare, "x_m,y_m\n1,1\n", [], "above_ground_m in place of z_m"),
         (bare, "x_m,y_m,above_ground_m\n1,1,1\n", [], "the domain has no ground"),
         (bare, "longitude_deg,latitude_deg,z_m\n9,47,1\n", ["--set", "site={latitude_deg: -47, longitude_deg: 9}"],
@@ -121,6 +126,11 @@ def refused(folder):
         done = run("place", scene, *words, "-o", folder / "refused")
         lines = [line for line in done.stderr.splitlines() if "warning" not in line]
         check(done.returncode == 2 and len(lines) == 1 and wanted in lines[0], f"{words} {wanted}: {done.stderr}")
+    # sensors have heights of their own
+    for columns in ("type,longitude_deg,latitude_deg,heading_deg,tilt_deg", "type,longitude_deg,latitude_deg,above_ground_m,heading_deg"):
+        table.write_text(columns + "\nmast,9,47.6,2,3\n")
+        done = run("sense", SCENE, *KEYS, "--sensors", table, "-o", folder / "refused")
+        check(done.returncode == 2 and "misses column z_m, must have" in done.stderr and done.stderr.count("murk: ") == 1, done.stderr)
     check(not (folder / "refused").exists(), "nothing written")
     done = run("trace", SCENE, *KEYS, "-o", folder / "refused", "--export", "geojson")
     check(done.returncode == 2 and "of sensors" in done.stderr, done.stderr)
