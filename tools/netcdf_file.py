@@ -3,7 +3,7 @@
 import math
 import struct
 
-TYPES = {"f": (5, 4), "d": (6, 8), "h": (3, 2)}
+TYPES = {"b": (1, 1), "f": (5, 4), "d": (6, 8), "h": (3, 2)}
 
 
 def text(value):

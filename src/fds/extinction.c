@@ -2,6 +2,7 @@
  * of each mesh, reads the frames around the time, and converts the values. */
 #include "fds/extinction.h"
 
+#include "base/interval.h"
 #include "base/path.h"
 #include "fds/frames.h"
 
@@ -119,34 +120,16 @@ static murk_status no_data(const reading *r, size_t mesh)
 /* Chooses the frame at the time, or the two around it and the weight of the
  * later one. Fails if the time is before the first or after the last frame. */
 static murk_status choose_frames(const reading *r, const murk_fds_frames *f,
-                                 size_t frame[2], double *weight)
+                                 murk_bracket *out)
 {
     const double t = r->asked->time_s;
     const double same = SAME_TIME * fmax(fabs(t), 1e-3);
-    const double first = (double)f->time_s[0],
-                 last = (double)f->time_s[f->n - 1];
-    if (!(t >= first - same && t <= last + same)) {
-        return murk_fail(r->err, MURK_BAD_VALUE, r->where,
-                         "time_s is %.9g s, must be %.9g to %.9g s, from the "
-                         "first to the last of %zu frames",
-                         t, first, last, f->n);
-    }
-    /* The frames around the time. */
-    size_t low = 0, high = f->n - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        if ((double)f->time_s[middle] <= t) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    const double a = (double)f->time_s[low], b = (double)f->time_s[high];
-    const bool is_low = t - a <= same, is_high = b - t <= same;
-    frame[0] = is_high && !is_low ? high : low;
-    frame[1] = is_low || is_high ? frame[0] : high;
-    *weight = frame[0] == frame[1] ? 0 : (t - a) / (b - a);
-    return MURK_OK;
+    return murk_bracket_find(out, f->time_s, f->n, t, same)
+               ? MURK_OK
+               : murk_fail(r->err, MURK_BAD_VALUE, r->where,
+                           "time_s is %.9g s, must be %.9g to %.9g s, from "
+                           "the first to the last of %zu frames",
+                           t, f->time_s[0], f->time_s[f->n - 1], f->n);
 }
 
 /* ---- values ---- */
@@ -252,33 +235,32 @@ static void drop_padding(float *value, const size_t cells[3])
 static murk_status read_values(reading *r, murk_fds_frames *f, double cell_m,
                                float **out)
 {
-    size_t frame[2] = {0};
-    double weight = 0;
-    murk_status status = choose_frames(r, f, frame, &weight);
+    murk_bracket time = {0};
+    murk_status status = choose_frames(r, f, &time);
     if (status) {
         return status;
     }
     /* Read one frame, or two and their mean. */
+    const double w = time.weight;
     float *value = malloc(f->values * sizeof *value);
-    float *later = weight > 0 ? malloc(f->values * sizeof *later) : NULL;
-    status = value && (later || !(weight > 0))
-                 ? read_frame(r, f, frame[0], cell_m, value)
+    float *later = w > 0 ? malloc(f->values * sizeof *later) : NULL;
+    status = value && (later || !(w > 0))
+                 ? read_frame(r, f, time.first, cell_m, value)
                  : murk_no_memory(r->err, f->where, "for a frame");
     if (!status && later) {
-        status = read_frame(r, f, frame[1], cell_m, later);
+        status = read_frame(r, f, time.second, cell_m, later);
     }
     for (uint64_t i = 0; later && !status && i < f->values; ++i) {
-        value[i] = (float)((1 - weight) * (double)value[i] +
-                           weight * (double)later[i]);
+        value[i] = (float)((1 - w) * (double)value[i] + w * (double)later[i]);
     }
     free(later);
     if (status) {
         free(value);
         return status;
     }
-    r->field->frame_s[0] = (double)f->time_s[frame[0]];
-    r->field->frame_s[1] = (double)f->time_s[frame[1]];
-    r->field->weight = weight;
+    r->field->frame_s[0] = f->time_s[time.first];
+    r->field->frame_s[1] = f->time_s[time.second];
+    r->field->weight = w;
     *out = value;
     return MURK_OK;
 }

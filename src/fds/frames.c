@@ -76,7 +76,7 @@ static bool add_frame(murk_fds_frames *f, size_t *capacity, float time_s,
 {
     if (f->n == *capacity) {
         const size_t more = *capacity ? 2 * *capacity : 64;
-        float *times = realloc(f->time_s, more * sizeof *times);
+        double *times = realloc(f->time_s, more * sizeof *times);
         if (!times) {
             return false;
         }
@@ -88,7 +88,7 @@ static bool add_frame(murk_fds_frames *f, size_t *capacity, float time_s,
         f->offset = offsets;
         *capacity = more;
     }
-    f->time_s[f->n] = time_s;
+    f->time_s[f->n] = (double)time_s;
     f->offset[f->n++] = offset;
     return true;
 }
@@ -109,7 +109,8 @@ static murk_status find_frames(murk_fds_frames *f, murk_error *err)
             }
             break;
         }
-        if (!isfinite(time_s) || (f->n > 0 && time_s <= f->time_s[f->n - 1])) {
+        if (!isfinite(time_s) ||
+            (f->n > 0 && (double)time_s <= f->time_s[f->n - 1])) {
             return bad(f, "has a frame that is not later than the one before",
                        err);
         }

@@ -22,7 +22,7 @@ typedef struct murk_fds_frames {
     int32_t nodes[6];  /* lowest and highest along x, y and z */
     uint64_t values;   /* of a frame */
     size_t n;          /* frames */
-    float *time_s;     /* [n], rising */
+    double *time_s;    /* [n], rising; of single precision */
     int64_t *offset;   /* [n], of the records after the time */
     const char *where; /* the file, for messages */
 } murk_fds_frames;

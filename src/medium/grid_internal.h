@@ -26,13 +26,15 @@ murk_status murk_grid_from_field(struct murk_grid **out,
                                  const unsigned char *packed, size_t size,
                                  const char *where, murk_error *err);
 
-/* Lowers the memory limit of a subprocess to what compressed files of that size
- * can need, so that a small hostile file cannot fill much memory. */
+/* Lowers the memory limit of a subprocess to what files of that size can need,
+ * so that a small hostile file cannot fill much memory. */
 void murk_grid_limit_memory(murk_subprocess_limits *limits,
                             uint64_t file_bytes);
 
-/* The limits of the reader of a NetCDF file of that size. */
-murk_subprocess_limits murk_grid_netcdf_limits(uint64_t file_bytes);
+/* The limits of the reader of a NetCDF file, from the size of the file. Files
+ * in the classic format are not compressed, so that no header can ask for
+ * much memory there; clouds in others may be a thousandth of their values. */
+murk_subprocess_limits murk_grid_netcdf_limits(const char *path);
 
 /* Does a job of murk_subprocess_do() that answers with a packed field, and
  * makes a grid of it. */

@@ -3,6 +3,7 @@
  * the time. */
 #include "netcdf/read.h"
 
+#include "base/interval.h"
 #include "netcdf/places.h"
 #include "netcdf/variables.h"
 
@@ -42,14 +43,17 @@ static int find_runs(const murk_netcdf_axis *a, run out[2])
 /* The place of values of the file among the values of the field, x fastest and
  * each axis rising. */
 typedef struct order {
-    int n;                     /* dimensions of the variable, 4 at most */
-    size_t start[4], count[4]; /* in the file */
-    ptrdiff_t step[4];         /* in the field, from value to value */
-    ptrdiff_t first;           /* of the file's first value */
+    int n; /* dimensions of the variable */
+    size_t start[MURK_NETCDF_DIMENSIONS],
+        count[MURK_NETCDF_DIMENSIONS];      /* in the file */
+    ptrdiff_t step[MURK_NETCDF_DIMENSIONS]; /* in the field, from value to
+                                               value */
+    ptrdiff_t first;                        /* of the file's first value */
 } order;
 
 /* The order of a frame with one run of x. Fails unless the variable has the
- * axes X, Y and Z, each once, and T at most. */
+ * axes X, Y and Z, each once, T at most, and otherwise dimensions of length 1.
+ */
 static murk_status find_order(const murk_netcdf_reader *r, int variable,
                               size_t frame, const run *of_x, order *out)
 {
@@ -58,11 +62,11 @@ static murk_status find_order(const murk_netcdf_reader *r, int variable,
     const ptrdiff_t step[3] = {
         1, (ptrdiff_t)r->axis[MURK_NETCDF_X].n,
         (ptrdiff_t)(r->axis[MURK_NETCDF_X].n * r->axis[MURK_NETCDF_Y].n)};
-    *out = (order){.count = {1, 1, 1, 1}};
+    *out = (order){.count = {1, 1, 1, 1, 1, 1}};
     nc_inq_var(r->file, variable, name, NULL, &out->n, dimension, NULL);
     /* Find the axis of each dimension. */
     unsigned seen = 0;
-    bool is_good = out->n == 3 || out->n == 4;
+    bool is_good = out->n >= 3 && out->n <= MURK_NETCDF_DIMENSIONS;
     for (int i = 0; is_good && i < out->n; ++i) {
         int which = MURK_NETCDF_X;
         while (
@@ -70,7 +74,14 @@ static murk_status find_order(const murk_netcdf_reader *r, int variable,
             !(r->axis[which].at && r->axis[which].dimension == dimension[i])) {
             ++which;
         }
-        is_good = which < MURK_NETCDF_AXES && !(seen >> which & 1);
+        if (which == MURK_NETCDF_AXES) {
+            size_t length = 0;
+            is_good =
+                nc_inq_dimlen(r->file, dimension[i], &length) == NC_NOERR &&
+                length == 1;
+            continue;
+        }
+        is_good = !(seen >> which & 1);
         seen |= 1u << which;
         if (is_good && which == MURK_NETCDF_TIME) {
             out->start[i] = frame;
@@ -96,6 +107,15 @@ static murk_status find_order(const murk_netcdf_reader *r, int variable,
                                  name);
 }
 
+static murk_status no_memory(const murk_netcdf_reader *r, size_t n)
+{
+    return murk_no_memory(r->err, r->request->where,
+                          "for a field of %zu values: the limit follows from "
+                          "the size of the file, so a compressed one may have "
+                          "to be stored without compression",
+                          n);
+}
+
 /* Reads the values of a frame with one run of x into their places in out. */
 static murk_status read_part(murk_netcdf_reader *r, int variable, size_t frame,
                              const run *of_x, double *out)
@@ -111,14 +131,14 @@ static murk_status read_part(murk_netcdf_reader *r, int variable, size_t frame,
     /* In the order of the file, which reads fast, then in that of the field. */
     double *raw = malloc(n * sizeof *raw);
     if (!raw) {
-        return murk_no_memory(r->err, r->request->where, "for a field");
+        return no_memory(r, n);
     }
     nc_inq_varname(r->file, variable, name);
     if (nc_get_vara_double(r->file, variable, o.start, o.count, raw) !=
         NC_NOERR) {
         status = murk_netcdf_bad(r, MURK_BAD_FILE, ": cannot be read", name);
     }
-    size_t at[4] = {0};
+    size_t at[MURK_NETCDF_DIMENSIONS] = {0};
     ptrdiff_t to = o.first;
     for (size_t i = 0; i < n && !status; ++i) {
         out[to] = raw[i];
@@ -158,9 +178,8 @@ static murk_status read_frame(murk_netcdf_reader *r, int variable, size_t frame,
 
 /* To g/m3 and um. */
 static const murk_netcdf_unit waters[] = {
-    {"g m-3", 1},      {"g/m3", 1},      {"g m^-3", 1},
-    {"g/m^3", 1},      {"kg m-3", 1000}, {"kg/m3", 1000},
-    {"kg m^-3", 1000}, {"kg/m^3", 1000}, {NULL, 0}};
+    {"g m-3", 1},     {"g/m3", 1},     {"kg m-3", 1000}, {"kg/m3", 1000},
+    {"mg m-3", 1e-3}, {"mg/m3", 1e-3}, {NULL, 0}};
 static const murk_netcdf_unit radii[] = {
     {"um", 1},          {"micron", 1},      {"microns", 1},
     {"micrometer", 1},  {"micrometers", 1}, {"micrometre", 1},
@@ -259,22 +278,39 @@ static void add_radii(radii_found *found, const murk_field_block *block,
 static double by_law(murk_netcdf_reader *r, const murk_netcdf_law *law,
                      double value)
 {
-    size_t low = 0, high = law->n - 1;
-    if (value < law->value[0] || value > law->value[high]) {
+    murk_bracket at;
+    if (!murk_bracket_find(&at, law->value, law->n, value, 0)) {
         ++r->beyond;
-        return law->density[value < law->value[0] ? 0 : high];
+        return law->density[value < law->value[0] ? 0 : law->n - 1];
     }
-    while (high - low > 1) {
-        const size_t middle = (low + high) / 2;
-        if (value < law->value[middle]) {
-            high = middle;
-        } else {
-            low = middle;
-        }
+    return (1 - at.weight) * law->density[at.first] +
+           at.weight * law->density[at.second];
+}
+
+/* Values below 0 that are so small a share of the largest one come from the
+ * rounding of a model's transport and count as 0: a choice. */
+#define NOISE 1e-4
+
+/* Counts extinctions below 0 as 0, value[n], if they are small beside the
+ * largest; `lowest` is the place of the smallest. */
+static murk_status lift_negative(murk_netcdf_reader *r, double *value, size_t n,
+                                 size_t lowest)
+{
+    double largest = 0;
+    for (size_t i = 0; i < n; ++i) {
+        largest = fmax(largest, value[i]);
     }
-    const double u =
-        (value - law->value[low]) / (law->value[high] - law->value[low]);
-    return (1 - u) * law->density[low] + u * law->density[high];
+    if (!(value[lowest] >= -NOISE * largest)) {
+        return murk_fail(r->err, MURK_BAD_FILE, r->request->where,
+                         "value %zu is an extinction of %g /m, must be 0 or "
+                         "more",
+                         lowest, value[lowest]);
+    }
+    for (size_t i = 0; i < n; ++i) {
+        r->below += value[i] < 0;
+        value[i] = fmax(value[i], 0);
+    }
+    return MURK_OK;
 }
 
 /* Replaces the first source, value[n], by extinction coefficients. radius[n] is
@@ -283,6 +319,7 @@ static murk_status convert(murk_netcdf_reader *r, const sources *from,
                            double *value, const double *radius, size_t n)
 {
     const murk_netcdf_asked *asked = &r->request->asked;
+    size_t lowest = 0;
     for (size_t i = 0; i < n; ++i) {
         if (isnan(value[i])) {
             ++r->missing;
@@ -302,15 +339,15 @@ static murk_status convert(murk_netcdf_reader *r, const sources *from,
             /* 3 L / (2 rho r) with L in g/m3, r in um and water of 1 g/cm3. */
             k = 1.5 * k / um;
         }
-        if (!(k >= 0 && k <= FLT_MAX)) {
+        if (!(fabs(k) <= FLT_MAX)) {
             return murk_fail(r->err, MURK_BAD_FILE, r->request->where,
-                             "value %zu is an extinction of %g /m, must be 0 "
-                             "or more",
-                             i, k);
+                             "value %zu is %g, too large", i, value[i]);
         }
         value[i] = asked->law.n > 0 ? by_law(r, &asked->law, k) : k;
+        lowest = value[i] < value[lowest] ? i : lowest;
     }
-    return MURK_OK;
+    return n > 0 && value[lowest] < 0 ? lift_negative(r, value, n, lowest)
+                                      : MURK_OK;
 }
 
 /* The extinction coefficients of a frame, whose radii are added to *found with
@@ -321,10 +358,9 @@ static murk_status read_extinction(murk_netcdf_reader *r, const sources *from,
                                    radii_found *found)
 {
     double *radius = from->radius >= 0 ? malloc(n * sizeof *radius) : NULL;
-    murk_status status =
-        radius || from->radius < 0
-            ? read_frame(r, from->first, frame, value)
-            : murk_no_memory(r->err, r->request->where, "for a field");
+    murk_status status = radius || from->radius < 0
+                             ? read_frame(r, from->first, frame, value)
+                             : no_memory(r, n);
     if (!status && radius) {
         status = read_frame(r, from->radius, frame, radius);
     }
@@ -338,14 +374,17 @@ static murk_status read_extinction(murk_netcdf_reader *r, const sources *from,
     return status;
 }
 
-/* The frames around the time, and the weight of the later. */
-static murk_status choose_frames(const murk_netcdf_reader *r, size_t frame[2],
-                                 double *weight)
+/* A time this close to that of a frame is the time of the frame: a share of the
+ * time that is asked for, as users write times, and some roundings of the times
+ * in the file, which may count from a year far away. */
+#define SAME_TIME      1e-9
+#define SAME_ROUNDINGS 4
+
+/* The frames around the time, and the weight of the second. */
+static murk_status choose_frames(const murk_netcdf_reader *r, murk_bracket *out)
 {
     const murk_netcdf_axis *time = &r->axis[MURK_NETCDF_TIME];
     const double asked = r->request->asked.time_s;
-    frame[0] = frame[1] = 0;
-    *weight = 0;
     if (!time->at) {
         return asked == 0 ? MURK_OK
                           : murk_netcdf_bad(
@@ -355,26 +394,20 @@ static murk_status choose_frames(const murk_netcdf_reader *r, size_t frame[2],
                                 NULL);
     }
     /* Times after the first. */
-    const double t = time->at[0] + asked, last = time->at[time->n - 1];
-    const double same = 1e-9 * fmax(1, fabs(last));
-    if (!(t >= time->at[0] - same && t <= last + same)) {
+    const double first = time->at[0], last = time->at[time->n - 1];
+    const double same =
+        SAME_TIME * fabs(asked) +
+        SAME_ROUNDINGS * DBL_EPSILON * fmax(fabs(first), fabs(last));
+    if (!murk_bracket_find(out, time->at, time->n, first + asked, same)) {
         return murk_fail(r->err, MURK_BAD_VALUE, r->request->where,
                          "time_s is %.9g s, must be 0 to %.9g s, after the "
                          "first of %zu times",
-                         asked, last - time->at[0], time->n);
-    }
-    while (frame[0] + 1 < time->n && time->at[frame[0] + 1] <= t + same) {
-        ++frame[0];
-    }
-    frame[1] = frame[0];
-    if (frame[0] + 1 < time->n && t > time->at[frame[0]] + same) {
-        ++frame[1];
-        *weight = (t - time->at[frame[0]]) /
-                  (time->at[frame[1]] - time->at[frame[0]]);
+                         asked, last - first, time->n);
     }
     /* Falling times were turned round. */
-    for (int i = 0; i < 2 && time->is_falling; ++i) {
-        frame[i] = time->n - 1 - frame[i];
+    if (time->is_falling) {
+        out->first = time->n - 1 - out->first;
+        out->second = time->n - 1 - out->second;
     }
     return MURK_OK;
 }
@@ -405,6 +438,27 @@ static void describe(char *out, size_t size, const murk_netcdf_reader *r,
     }
 }
 
+/* Tells how many values were not taken as they are. */
+static void write_warning(const murk_netcdf_reader *r, char *out, size_t size)
+{
+    const struct {
+        size_t n;
+        const char *text;
+    } counts[] = {
+        {r->missing, "values are missing in the file and count as 0"},
+        {r->below, "values are slightly below 0 and count as 0"},
+        {r->beyond, "values beyond the range of the word count as its end"}};
+    int length = 0;
+    out[0] = '\0';
+    for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i) {
+        if (counts[i].n > 0) {
+            length +=
+                snprintf(out + length, size - (size_t)length, "%s%zu %s",
+                         length > 0 ? "; " : "", counts[i].n, counts[i].text);
+        }
+    }
+}
+
 /* off_m: the error of places of axes in degrees. */
 static murk_status read_values(murk_netcdf_reader *r, const sources *from,
                                double off_m, murk_field_block *block,
@@ -412,23 +466,23 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
 {
     const size_t n = r->axis[MURK_NETCDF_X].n * r->axis[MURK_NETCDF_Y].n *
                      r->axis[MURK_NETCDF_Z].n;
-    size_t frame[2];
-    double weight;
+    murk_bracket time = {0};
     radii_found found = {.minimum = INFINITY};
-    murk_status status = choose_frames(r, frame, &weight);
+    murk_status status = choose_frames(r, &time);
+    const double weight = time.weight;
     double *value = malloc(n * sizeof *value);
     double *later = weight > 0 ? malloc(n * sizeof *later) : NULL;
     block->value = malloc(n * sizeof *block->value);
     if (!status && (!value || !block->value || (weight > 0 && !later))) {
-        status = murk_no_memory(r->err, r->request->where, "for a field");
+        status = no_memory(r, n);
     }
     if (!status) {
-        status = read_extinction(r, from, frame[0], value, n, block, 1 - weight,
-                                 &found);
+        status = read_extinction(r, from, time.first, value, n, block,
+                                 1 - weight, &found);
     }
     if (!status && later) {
-        status =
-            read_extinction(r, from, frame[1], later, n, block, weight, &found);
+        status = read_extinction(r, from, time.second, later, n, block, weight,
+                                 &found);
     }
     for (size_t i = 0; i < n && !status; ++i) {
         block->value[i] =
@@ -441,22 +495,12 @@ static murk_status read_values(murk_netcdf_reader *r, const sources *from,
     char name[NC_MAX_NAME + 1] = "";
     nc_inq_varname(r->file, from->first, name);
     snprintf(head->name, sizeof head->name, "%.100s", name);
-    describe(head->note, sizeof head->note, r, frame[0], weight > 0, &found,
+    describe(head->note, sizeof head->note, r, time.first, weight > 0, &found,
              off_m);
     head->effective_radius_um = found.weight > 0
                                     ? found.weighted / found.weight
                                     : r->request->asked.effective_radius_um;
-    if (r->missing > 0) {
-        snprintf(head->warning, sizeof head->warning,
-                 "%zu values are missing in the file and count as 0",
-                 r->missing);
-    }
-    if (r->beyond > 0) {
-        const size_t length = strlen(head->warning);
-        snprintf(head->warning + length, sizeof head->warning - length,
-                 "%s%zu values beyond the range of the word count as its end",
-                 length > 0 ? "; " : "", r->beyond);
-    }
+    write_warning(r, head->warning, sizeof head->warning);
     return status;
 }
 

@@ -59,9 +59,29 @@ static double get_number(const murk_netcdf_reader *r, int variable,
     return value;
 }
 
-/* The factor of a unit in a table that ends with NULL; 0: not in the table. */
-static double factor_of(const murk_netcdf_unit *table, const char *name)
+/* Writes a unit in the form of the tables: without blanks around it and without
+ * signs of powers, as in "kg m-3" for " kg m**-3". */
+static void simplify_unit(const char *unit, char out[TEXT_SIZE])
 {
+    size_t n = 0;
+    for (; *unit && n + 1 < TEXT_SIZE; ++unit) {
+        const bool is_dropped =
+            *unit == '^' || *unit == '*' || (n == 0 && *unit == ' ');
+        if (!is_dropped) {
+            out[n++] = *unit;
+        }
+    }
+    while (n > 0 && out[n - 1] == ' ') {
+        --n;
+    }
+    out[n] = '\0';
+}
+
+/* The factor of a unit in a table that ends with NULL; 0: not in the table. */
+static double factor_of(const murk_netcdf_unit *table, const char *unit)
+{
+    char name[TEXT_SIZE];
+    simplify_unit(unit, name);
     while (table->name && strcmp(table->name, name) != 0) {
         ++table;
     }
@@ -170,7 +190,29 @@ typedef struct packing {
     double low, high; /* valid values, before they are unpacked */
     double missing[MISSING_MAX];
     size_t n_missing;
+    double turn; /* added to negative numbers, which are unsigned ones that the
+                    type of the file cannot have; 0: none */
 } packing;
+
+/* The turn of a variable. Files in the classic format have no unsigned types,
+ * and mark them by an attribute (NetCDF users' guide, "Best practices"). */
+static double turn_of(const murk_netcdf_reader *r, int variable)
+{
+    char text[TEXT_SIZE];
+    nc_type type = NC_NAT;
+    get_text(r, variable, "_Unsigned", text);
+    nc_inq_vartype(r->file, variable, &type);
+    return strcmp(text, "true") != 0 && strcmp(text, "True") != 0 ? 0
+           : type == NC_BYTE                                      ? 0x1p8
+           : type == NC_SHORT                                     ? 0x1p16
+           : type == NC_INT                                       ? 0x1p32
+                                                                  : 0;
+}
+
+static double turned(double value, double turn)
+{
+    return value < 0 && turn > 0 && value > -INFINITY ? value + turn : value;
+}
 
 /* The fill value of a variable: that of the file, or the default of the library
  * for the type; bytes and texts have none. */
@@ -222,6 +264,14 @@ static packing packing_of(const murk_netcdf_reader *r, int variable)
             NC_NOERR) {
         p.n_missing = n;
     }
+    /* All of them as the file has them, until here. */
+    p.turn = turn_of(r, variable);
+    p.fill = turned(p.fill, p.turn);
+    p.low = turned(p.low, p.turn);
+    p.high = turned(p.high, p.turn);
+    for (size_t i = 0; i < p.n_missing; ++i) {
+        p.missing[i] = turned(p.missing[i], p.turn);
+    }
     return p;
 }
 
@@ -230,7 +280,7 @@ void murk_netcdf_unpack_values(const murk_netcdf_reader *r, int variable,
 {
     const packing p = packing_of(r, variable);
     for (size_t i = 0; i < n; ++i) {
-        const double v = value[i];
+        const double v = turned(value[i], p.turn);
         bool is_there = isfinite(v) && v != p.fill && v >= p.low && v <= p.high;
         for (size_t k = 0; k < p.n_missing; ++k) {
             is_there = is_there && v != p.missing[k];
@@ -458,14 +508,20 @@ static murk_status read_axis(murk_netcdf_reader *r, int dimension)
     size_t n = 0;
     int variable = 0, dimensions = 0, own = 0;
     nc_inq_dim(r->file, dimension, name, &n);
-    if (nc_inq_varid(r->file, name, &variable) != NC_NOERR ||
-        nc_inq_varndims(r->file, variable, &dimensions) != NC_NOERR ||
-        dimensions != 1 ||
-        nc_inq_vardimid(r->file, variable, &own) != NC_NOERR ||
-        own != dimension) {
+    const bool has_own =
+        nc_inq_varid(r->file, name, &variable) == NC_NOERR &&
+        nc_inq_varndims(r->file, variable, &dimensions) == NC_NOERR &&
+        dimensions == 1 &&
+        nc_inq_vardimid(r->file, variable, &own) == NC_NOERR &&
+        own == dimension;
+    const int which = has_own ? axis_of(r, variable, name) : -1;
+    /* Such as the one member of an ensemble. */
+    if (n == 1 && which < 0) {
+        return MURK_OK;
+    }
+    if (!has_own) {
         return no_coordinates(r, dimension, name);
     }
-    const int which = axis_of(r, variable, name);
     if (which < 0 || r->axis[which].at || n == 0 || n > MURK_FIELD_CELLS_MAX) {
         return murk_netcdf_bad(
             r, MURK_BAD_FILE,
@@ -510,7 +566,7 @@ murk_status murk_netcdf_read_axes(murk_netcdf_reader *r, int variable)
     int n = 0, dimension[NC_MAX_VAR_DIMS];
     char name[NC_MAX_NAME + 1];
     nc_inq_var(r->file, variable, name, NULL, &n, dimension, NULL);
-    if (n != 3 && n != 4) {
+    if (n < 3 || n > MURK_NETCDF_DIMENSIONS) {
         return murk_netcdf_bad(r, MURK_BAD_FILE,
                                ": must have the axes X, Y and Z, and T at most",
                                name);

@@ -17,6 +17,10 @@ enum {
     MURK_NETCDF_AXES
 };
 
+/* Dimensions of a variable: the four axes, and others of length 1 (a choice).
+ */
+#define MURK_NETCDF_DIMENSIONS 6
+
 typedef struct murk_netcdf_axis {
     int dimension; /* of the file; -1: the variable has none */
     size_t n;
@@ -39,6 +43,7 @@ typedef struct murk_netcdf_reader {
     murk_netcdf_axis axis[MURK_NETCDF_AXES]; /* murk_netcdf_release_axes() */
     size_t missing; /* values that are missing in the file */
     size_t beyond;  /* values beyond the range of a law */
+    size_t below;   /* values that are slightly below 0 and count as 0 */
 } murk_netcdf_reader;
 
 /* A row of a table of units; the last row has the name NULL. */
@@ -57,8 +62,8 @@ murk_status murk_netcdf_find_variable(const murk_netcdf_reader *r,
                                       const char *name, const char *standard,
                                       int *out);
 
-/* The factor from the unit of a variable, which must be in the table; otherwise
- * MURK_BAD_VALUE. */
+/* The factor from the unit of a variable, which must be in the table, as
+ * "g m-3" in the form of "g m^-3" and "g m**-3"; otherwise MURK_BAD_VALUE. */
 murk_status murk_netcdf_unit_of(const murk_netcdf_reader *r, int variable,
                                 const murk_netcdf_unit *table, double *factor);
 

@@ -16,9 +16,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* The files are smaller. */
-#define WHOLE_BYTES 10000
-
 static char path[] = "/tmp/murk-netcdf-XXXXXX";
 
 /* Writes a file with two times of a field, packed, and its radius, on axes in
@@ -99,7 +96,7 @@ static murk_status read_field(murk_subprocess *to, void *context,
 static bool survives(bool is_linear)
 {
     const double start_s = murk_clock_s();
-    const murk_subprocess_limits limits = murk_grid_netcdf_limits(WHOLE_BYTES);
+    const murk_subprocess_limits limits = murk_grid_netcdf_limits(path);
     unsigned char *sent = NULL;
     size_t size = 0;
     murk_grid *grid = NULL;
@@ -128,7 +125,7 @@ static void test_format(int format, bool has_degrees, uint32_t files)
     write_whole(format, has_degrees);
     const broken_bytes whole = broken_load(path);
     const size_t size = whole.size;
-    CHECK(size > 1000 && size < WHOLE_BYTES);
+    CHECK(size > 1000);
     CHECK(survives(false) && survives(true));
     unsigned char *copy = malloc(size);
     CHECK(copy != NULL);

@@ -233,6 +233,66 @@ def compare_word(folder):
         check(isinstance(got, str) and problem in got and got.count("\n") == 1, f"{more}: {got}")
 
 
+def compare_models(folder):
+    """What files of models have: times that count from a year far away, a dimension of an ensemble, rounding below 0,
+    unsigned numbers in types that have a sign, and units as programs write them."""
+    def column_of(file, keys):
+        got = depths(folder, f"albedo: 1, netcdf: {file}, {keys}", [(5, 5, -50, 5, 5, 50)])
+        return got if isinstance(got, str) else got[0]
+
+    def write(file, values, unit="g m-3", kind="d", times=None, more=None, extra=None):
+        """A column of two cells of 10 m, from -10 m on."""
+        dimensions = {"x": 2, "y": 2, "z": 2}
+        own = ["z", "y", "x"]
+        axes = {"x": (["x"], "d", {"units": "m"}, [5, 15]), "y": (["y"], "d", {"units": "m"}, [5, 15]),
+                "z": (["z"], "d", {"units": "m", "axis": "Z"}, [-5, 5])}
+        for name, length in (extra or {}).items():
+            dimensions[name] = length
+            own.insert(0, name)
+        if times:
+            dimensions["time"] = len(times[1])
+            axes["time"] = (["time"], "d", {"units": times[0]}, times[1])
+            own.insert(0, "time")
+        axes["lwc"] = (own, kind, {"units": unit, **(more or {})}, [v for v in values for _ in range(4)])
+        write_classic(folder / file, dimensions, axes)
+        return folder / file
+
+    # three times, of water .1, .2 and .4: 3 L / (2 r) along 20 m is 3 L for a radius of 10 um
+    keys = "liquid_water: lwc, effective_radius_um: 10"
+    for unit, step, far in (("seconds since 1970-01-01", 1, 1.7e9), ("days since 1970-01-01", .86 / 86400, 20000.0),
+                            ("hours since 0001-01-01", 30 / 3600, 17.7e6), ("seconds since 2000-01-01", 1, 0)):
+        file = write("times.nc", [.1, .1, .2, .2, .4, .4], times=(unit, [far + k * step for k in range(3)]))
+        second = {"s": 1, "d": 86400, "h": 3600}[unit[0]] * step
+        for at, want in ((0, .1), (.5, .15), (1, .2), (1.75, .35), (2, .4)):
+            got = column_of(file, f"{keys}, time_s: {at * second!r}")
+            # the rounding of times of 1e9 s, and of days
+            check(not isinstance(got, str) and abs(got / (3 * want) - 1) <= 1e-5, f"{unit}, {at} of a step: {got}")
+    for unit, factor in (("g m-3 ", 1), ("g m^-3", 1), ("kg m**-3", 1000), (" mg/m3", .001)):
+        got = column_of(write("unit.nc", [.1, .1], unit=unit), keys)
+        check(not isinstance(got, str) and abs(got / (.3 * factor) - 1) <= 1e-6, f"unit {unit}: {got}")
+    got = column_of(write("ratio.nc", [1e-4, 1e-4], unit="kg kg-1"), keys)
+    check(isinstance(got, str) and 'has the unit "kg kg-1", must be g m-3' in got, f"mixing ratio: {got}")
+    got = column_of(write("member.nc", [.1, .1], extra={"member": 1}), keys)
+    check(not isinstance(got, str) and abs(got / .3 - 1) <= 1e-6, f"one member: {got}")
+    got = column_of(write("members.nc", [.1] * 4, extra={"member": 2}), keys)
+    check(isinstance(got, str) and "member" in got and got.count("\n") == 1, f"two members: {got}")
+    # a small negative value is 0 with a warning, a large one an error
+    got = column_of(write("noise.nc", [-1e-7, .1]), keys)
+    check(not isinstance(got, str) and abs(got / .15 - 1) <= 1e-6, f"noise: {got}")
+    done = run_scene(folder, "check", f"albedo: 1, netcdf: {folder / 'noise.nc'}, {keys}")
+    check("4 values are slightly below 0 and count as 0" in done.stderr, done.stderr)
+    got = column_of(write("negative.nc", [-1e-4, .1]), keys)
+    check(isinstance(got, str) and "must be 0 or more" in got, f"negative: {got}")
+    # bytes of 0..255, of which 255 is missing
+    got = column_of(write("bytes.nc", [-56, -1], kind="b", more={
+        "_Unsigned": "true", "scale_factor": ("d", .001), "_FillValue": ("b", -1)}), keys)
+    check(not isinstance(got, str) and abs(got / (1.5 * .2) - 1) <= 1e-6, f"unsigned bytes: {got}")
+    # a word may have values below 0
+    cold = write("cold.nc", [-2.0, 10.0], unit="degC")
+    got = column_of(cold, "preset: water/case-1, variable: lwc, word: temperature_c, chlorophyll_mg_per_m3: 1")
+    check(not isinstance(got, str) and got > 0, f"temperature: {got}")
+
+
 # ---- droplets whose albedo and phase function follow from the file ----
 
 def write_droplets(file, rows):
@@ -536,6 +596,7 @@ with tempfile.TemporaryDirectory() as name:
     compare_own(folder)
     compare_radii(folder)
     compare_word(folder)
+    compare_models(folder)
     compare_droplets(folder)
     compare_light(folder)
     compare_degrees(folder)
