@@ -205,6 +205,38 @@ static murk_status note_path(changes *c, const char *given, const char *where)
     return MURK_OK;
 }
 
+/* Fails if an option or a row of a study gives the value at a path, which the
+ * track is about to replace. It may give the whole map around the value, and a
+ * track that moves lights uses the value. */
+static murk_status check_options(const changes *c,
+                                 const murk_scene_track *track,
+                                 const char *given)
+{
+    char path[PATH_SIZE] = "";
+    canonical(path, c->root, given);
+    const murk_yaml *node = c->root, *around = c->root;
+    /* Find the node, and the map or list around it. */
+    for (char *part = path; node && part;) {
+        char *const dot = strchr(part, '.');
+        size_t i;
+        if (dot) {
+            *dot = '\0';
+        }
+        around = node;
+        node =
+            node->kind == MURK_YAML_MAP ? murk_yaml_get(node, part)
+            : node->kind == MURK_YAML_LIST && murk_key_path_item(node, part, &i)
+                ? node->child[i]
+                : NULL;
+        part = dot ? dot + 1 : NULL;
+    }
+    return !node || node->source == around->source || track->light.n > 0
+               ? MURK_OK
+               : murk_fail(c->err, MURK_BAD_VALUE, node->source,
+                           "a track of the timeline sets %s, at any time",
+                           given);
+}
+
 /* Puts a value, which it owns, at a path. */
 static murk_status put(changes *c, const murk_scene_track *track,
                        const char *path, murk_yaml *value)
@@ -212,7 +244,10 @@ static murk_status put(changes *c, const murk_scene_track *track,
     if (!value) {
         return no_memory(c);
     }
-    const murk_status status = note_path(c, path, track->where);
+    murk_status status = check_options(c, track, path);
+    if (!status) {
+        status = note_path(c, path, track->where);
+    }
     if (status) {
         murk_yaml_destroy(value);
         return status;

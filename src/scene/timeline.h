@@ -2,9 +2,10 @@
  * place in the tree of the scene, before the scene is checked, so that nothing
  * later needs to know of tracks.
  *
- * A track replaces the value of its keys, whatever the scene, an option or a
- * condition gives. Doing so twice for the same time changes nothing more: the
- * resolved scene, which contains the timeline, gives the same scene again. */
+ * A track replaces the value that the scene gives to its keys; an option or a
+ * condition may not give one. Doing so twice for the same time changes nothing
+ * more: the resolved scene, which contains the timeline, gives the same scene
+ * again. */
 #ifndef MURK_SCENE_TIMELINE_H
 #define MURK_SCENE_TIMELINE_H
 

@@ -486,8 +486,45 @@ static void test_refusals(void)
                   "medium: plume has no file at 0 s, its files begin at 3 s");
 }
 
+/* An option, or a row of a study, does not set what a track sets at any time; a
+ * value around it, and the place of an item that lights move with, it may. */
+static void test_options(void)
+{
+    static const struct {
+        const char *option, *track;
+        bool is_refused;
+    } cases[] = {
+        {"geometry.load.translate_m=[5,5,5]", "{geometry: 1, " MOVE "}", true},
+        {"geometry.load.translate_m=[5,5,5]",
+         "{geometry: load, lights: [0], " MOVE "}", false},
+        {"geometry.load.scale=2", "{geometry: load, " MOVE "}", false},
+        {"lights.0.power_w=2",
+         "{key: lights.0.power_w, keyframes: [{t_s: 0, value: 3}]}", true},
+        {"lights.0={type: point, position_m: [1,1,1], power_w: 2}",
+         "{key: lights.0.power_w, keyframes: [{t_s: 0, value: 3}]}", false},
+        {"lights.0.position_m=[1,1,1]",
+         "{key: lights.0.power_w, keyframes: [{t_s: 0, value: 3}]}", false},
+    };
+    /* Read each. */
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        char text[2048];
+        murk_scene_desc *scene = NULL;
+        murk_error err;
+        const murk_override override = {cases[i].option, NULL};
+        snprintf(text, sizeof text, AT("%s") LOAD LAMP, cases[i].track);
+        const murk_status status = scene_of(&scene, text, &override, 1, &err);
+        CHECK(status == (cases[i].is_refused ? MURK_BAD_VALUE : MURK_OK));
+        if (status) {
+            CHECK(strstr(err.where, "--set "));
+            CHECK(strstr(err.text, "a track of the timeline sets"));
+        }
+        murk_scene_desc_destroy(scene);
+    }
+}
+
 int main(void)
 {
+    test_options();
     if (!folder_enter()) {
         return 1;
     }
