@@ -241,6 +241,39 @@ murk_status murk_file_open(int *fd, uint64_t *size, const char *path,
     return status;
 }
 
+murk_file_identity murk_file_identity_of(const struct stat *file)
+{
+    return (murk_file_identity){
+        .part = {(uint64_t)file->st_dev, (uint64_t)file->st_ino,
+                 (uint64_t)file->st_size, (uint64_t)file->st_mtim.tv_sec,
+                 (uint64_t)file->st_mtim.tv_nsec,
+                 (uint64_t)file->st_ctim.tv_sec,
+                 (uint64_t)file->st_ctim.tv_nsec}};
+}
+
+murk_status murk_file_identify(murk_file_identity *out, const char *path,
+                               murk_error *err)
+{
+    murk_status status;
+    if (murk_memory_is(path)) {
+        const murk_memory_file *file = NULL;
+        status = murk_memory_find(&file, path, MURK_MEMORY_TABLE, path, err);
+        *out = (murk_file_identity){.part = {0}};
+        if (!status) {
+            memcpy(out->part, file->checksum, sizeof file->checksum);
+        }
+        return status;
+    }
+    struct stat info;
+    int fd = -1;
+    status = open_regular(&fd, &info, UINT64_MAX, INPUT, path, err);
+    if (!status) {
+        *out = murk_file_identity_of(&info);
+        close(fd);
+    }
+    return status;
+}
+
 murk_status murk_file_read_bytes(int fd, void *out, size_t size,
                                  const char *path, murk_error *err)
 {

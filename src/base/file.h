@@ -38,6 +38,21 @@ murk_status murk_file_write(const char *path, const void *bytes, size_t size,
 murk_status murk_file_open(int *fd, uint64_t *size, const char *path,
                            murk_error *err);
 
+/* A file as it is: device, inode, size and times of changes of a file on the
+ * disk; the checksum of a table in memory. While the identity is the same, so
+ * is the content, unless a program has set the clock back. */
+typedef struct murk_file_identity {
+    uint64_t part[7];
+} murk_file_identity;
+
+struct stat;
+murk_file_identity murk_file_identity_of(const struct stat *file);
+
+/* The identity of a file that murk_file_read() can read, which counts as an
+ * input of the run. Fails with MURK_BAD_FILE. */
+murk_status murk_file_identify(murk_file_identity *out, const char *path,
+                               murk_error *err);
+
 /* Reads exactly `size` bytes. Fails with MURK_BAD_FILE, also if the file ends
  * earlier. */
 murk_status murk_file_read_bytes(int fd, void *out, size_t size,

@@ -107,7 +107,7 @@ murk_status murk_weather_choose(murk_key_reader *walk, const murk_yaml *node)
 
 void murk_weather_release(murk_scene_weather *weather)
 {
-    free(weather->year);
+    murk_weather_year_release(weather->year);
     weather->year = NULL;
 }
 

@@ -204,7 +204,7 @@ static murk_status read_hours(murk_key_reader *walk, murk_study_axis *axis,
     if (!status) {
         status = put_hours(walk, axis, map, &h, year);
     }
-    free(year);
+    murk_weather_year_release(year);
     free(h.file);
     return status;
 }

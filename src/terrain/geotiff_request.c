@@ -2,6 +2,7 @@
 #include "terrain/geotiff_request.h"
 
 #include "base/cache.h"
+#include "base/file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -91,21 +92,12 @@ bool murk_terrain_facts_take(murk_terrain_facts *out,
 
 /* ---- the facts of a file ---- */
 
-/* A file as it is: facts are the same while none of this has changed. */
-typedef struct file_key {
-    dev_t device;
-    ino_t number;
-    off_t size;
-    struct timespec modified, changed;
-} file_key;
-
 murk_status murk_geotiff_facts(murk_terrain_facts *out, const char *path,
                                const char *where, murk_error *err)
 {
     static murk_cache cache = MURK_CACHE_NONE;
     char place[sizeof err->where];
     struct stat is;
-    file_key key;
     snprintf(place, sizeof place, "%s: %s", where, path);
     if (stat(path, &is) != 0) {
         return murk_fail(err, MURK_BAD_FILE, where, "cannot read %s: %s", path,
@@ -115,12 +107,7 @@ murk_status murk_geotiff_facts(murk_terrain_facts *out, const char *path,
         return murk_fail(err, MURK_BAD_FILE, where, "%s is not a regular file",
                          path);
     }
-    memset(&key, 0, sizeof key); /* its padding, too */
-    key.device = is.st_dev;
-    key.number = is.st_ino;
-    key.size = is.st_size;
-    key.modified = is.st_mtim;
-    key.changed = is.st_ctim;
+    const murk_file_identity key = murk_file_identity_of(&is);
     size_t size = 0;
     murk_terrain_facts *found =
         murk_cache_find(&cache, &key, sizeof key, &size);

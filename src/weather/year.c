@@ -4,11 +4,11 @@
 #include "weather/year.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/cache.h"
 #include "base/csv.h"
 #include "base/file.h"
 #include "base/number.h"
@@ -550,41 +550,99 @@ murk_status murk_weather_year_parse(murk_weather_year **out, const char *path,
         free(f.out);
         return status;
     }
+    f.out->owners = 1;
     *out = f.out;
     return MURK_OK;
 }
 
-/* A study reads one file for each of its rows: what was read is stored, by all
- * bytes of the file. */
+/* Files that were read last, and their years: a choice; a study has the weather
+ * of one place or of a few. */
+#define RECENT 4
+
+/* The years that are shared; any number of threads may use them. */
+static struct {
+    atomic_flag is_taken;
+    size_t n, oldest;
+    murk_file_identity file[RECENT];
+    murk_weather_year *year[RECENT];
+} recent = {.is_taken = ATOMIC_FLAG_INIT};
+
+static void enter(void)
+{
+    while (atomic_flag_test_and_set_explicit(&recent.is_taken,
+                                             memory_order_acquire)) {
+    }
+}
+
+static void leave(void)
+{
+    atomic_flag_clear_explicit(&recent.is_taken, memory_order_release);
+}
+
+/* Gives up one owner; returns the memory that is to be freed. */
+static murk_weather_year *without_owner(murk_weather_year *year)
+{
+    return year && --year->owners == 0 ? year : NULL;
+}
+
+/* The year of a file as a further owner; NULL if it is not there. */
+static murk_weather_year *find_recent(const murk_file_identity *file)
+{
+    murk_weather_year *found = NULL;
+    enter();
+    for (size_t i = 0; i < recent.n && !found; ++i) {
+        if (memcmp(&recent.file[i], file, sizeof *file) == 0) {
+            found = recent.year[i];
+            ++found->owners;
+        }
+    }
+    leave();
+    return found;
+}
+
+/* Becomes a further owner, in place of the oldest year. */
+static void put_recent(const murk_file_identity *file, murk_weather_year *year)
+{
+    enter();
+    const size_t i = recent.n < RECENT ? recent.n++ : recent.oldest;
+    recent.oldest = (i + 1) % RECENT;
+    murk_weather_year *old = without_owner(recent.year[i]);
+    recent.file[i] = *file;
+    recent.year[i] = year;
+    ++year->owners;
+    leave();
+    free(old);
+}
+
 murk_status murk_weather_year_read(murk_weather_year **out, const char *path,
                                    murk_error *err)
 {
-    static murk_cache years = MURK_CACHE_NONE;
-    char *text = NULL;
-    size_t size = 0, stored;
-    murk_status status =
-        murk_file_read(&text, &size, path, MURK_WEATHER_BYTES_MAX, err);
-    if (status) {
+    murk_file_identity file;
+    murk_status status = murk_file_identify(&file, path, err);
+    murk_weather_year *found = status ? NULL : find_recent(&file);
+    if (status || found) {
+        *out = found;
         return status;
     }
-    /* Parsing changes the text, which is the key. */
-    murk_weather_year *found = murk_cache_find(&years, text, size, &stored);
-    char *key = found ? NULL : malloc(size + 1);
-    if (found) {
-        *out = found;
-    } else if (key) {
-        memcpy(key, text, size + 1);
+    char *text = NULL;
+    size_t size = 0;
+    status = murk_file_read(&text, &size, path, MURK_WEATHER_BYTES_MAX, err);
+    if (!status) {
         status = murk_weather_year_parse(out, path, text, size, err);
-    } else {
-        status = murk_no_memory(err, path, "for a weather year");
     }
-    if (!found && !status) {
-        murk_cache_put(&years, key, size, *out,
-                       sizeof **out + (*out)->n * sizeof *(*out)->row);
+    if (!status) {
+        put_recent(&file, *out);
     }
-    free(key);
     free(text);
     return status;
+}
+
+void murk_weather_year_release(murk_weather_year *year)
+{
+    enter();
+    murk_weather_year *old = without_owner(year);
+    leave();
+    free(old);
 }
 
 /* ---- times ---- */

@@ -28,6 +28,7 @@ typedef struct murk_weather_row {
 } murk_weather_row;
 
 typedef struct murk_weather_year {
+    size_t owners; /* of weather/year.c */
     double latitude_deg, longitude_deg, altitude_m;
     int zone_min;     /* of the local standard time, minutes east of UTC */
     int interval_min; /* length of the interval of a row */
@@ -35,10 +36,13 @@ typedef struct murk_weather_year {
     murk_weather_row row[]; /* [n], in the order of the file */
 } murk_weather_year;
 
-/* Reads a file. The caller frees *out with free(). Fails with MURK_BAD_FILE,
- * with file and line, or with MURK_NO_MEMORY. */
+/* Reads a file, or shares what was read of it before, because a study reads one
+ * file once for each of its rows. The caller owns *out with others, does not
+ * change it, and gives it up with murk_weather_year_release(). Fails with
+ * MURK_BAD_FILE, with file and line, or with MURK_NO_MEMORY. */
 murk_status murk_weather_year_read(murk_weather_year **out, const char *path,
                                    murk_error *err);
+void murk_weather_year_release(murk_weather_year *year); /* NULL is fine */
 
 /* As murk_weather_year_read(), from a text of `size` bytes, which a '\0'
  * follows; the text is changed. `path` is the name in messages. */

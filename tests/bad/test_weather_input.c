@@ -84,7 +84,7 @@ static murk_status try_epw(const char *bytes, size_t size)
         const murk_weather_row *row = &year->row[i];
         CHECK(row->ends_min > 0 && row->ends_min <= 24 * 60);
     }
-    free(year);
+    murk_weather_year_release(year);
     return status;
 }
 

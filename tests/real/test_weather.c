@@ -175,7 +175,7 @@ static void test_year(void)
         test_sums(year);
         test_hours(year);
     }
-    free(year);
+    murk_weather_year_release(year);
 }
 
 /* ---- reports ---- */

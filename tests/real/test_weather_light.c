@@ -124,6 +124,6 @@ int main(int argc, char **argv)
     if (year) {
         test_classes(year, argc > 1 ? 1 : 3);
     }
-    free(year);
+    murk_weather_year_release(year);
     return check_done();
 }

@@ -3,8 +3,10 @@
  * of clearness. */
 #include "check.h"
 #include "weather/year.h"
+#include "written.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #define HEAD                                                        \
     "LOCATION,Some Place,XX,YYY,TMY3,1,39.74,-105.18,-7.0,1829.0\n" \
@@ -95,7 +97,7 @@ static void test_rows(void)
     CHECK(row->seen.kind == MURK_WEATHER_SNOW);
     CHECK_NEAR(row->seen.visibility_m, 50, 0);
     CHECK(row->seen.visibility_limit == MURK_VISIBILITY_LESS_THAN);
-    free(year);
+    murk_weather_year_release(year);
 }
 
 /* Weather codes: rain by its class where no amount is stated; codes that are
@@ -128,7 +130,7 @@ static void test_codes(void)
         CHECK(year && year->row[0].seen.kind == cases[i].kind);
         CHECK_NEAR(year ? year->row[0].seen.rain_mm_per_h : NAN,
                    cases[i].mm_per_h, 1e-12);
-        free(year);
+        murk_weather_year_release(year);
     }
 }
 
@@ -152,7 +154,7 @@ static void test_quarters(void)
           &year->row[3]);
     CHECK(murk_weather_year_at(year, utc("2011-06-01T09:10:00-07:00")) ==
           &year->row[4]);
-    free(year);
+    murk_weather_year_release(year);
 }
 
 static void test_refused(void)
@@ -200,7 +202,7 @@ static void test_refused(void)
         CHECK(!year && err.code == MURK_BAD_FILE);
         CHECK_TEXT(err.where, cases[i].where);
         CHECK(strstr(err.text, cases[i].part) != NULL);
-        free(year);
+        murk_weather_year_release(year);
     }
 }
 
@@ -225,6 +227,66 @@ static void test_clearness(void)
     CHECK(murk_sky_cie_type(1) == 1 && murk_sky_cie_type(8) == 12);
 }
 
+static murk_weather_year *read_year(const char *path, double altitude_m)
+{
+    murk_weather_year *year = NULL;
+    CHECK(!murk_weather_year_read(&year, path, NULL));
+    CHECK(year && year->altitude_m == altitude_m && year->n == 1);
+    return year;
+}
+
+/* A file is read once, as long as it is the same and not too many others came
+ * between; a year lives as long as its last owner. */
+static void test_shared(void)
+{
+    char name[6][32];
+    murk_weather_year *year[6];
+    static const char *const row =
+        ROW("1999,1,1,1,0", "0,0,0", "8,8,16.1,3300,9,999999999", "999.0,99.0");
+    for (int i = 0; i < 6; ++i) {
+        char text[1024];
+        snprintf(name[i], sizeof name[i], "/tmp/murk-year-%d-%d.epw",
+                 (int)getpid(), i);
+        snprintf(
+            text, sizeof text,
+            "LOCATION,P,X,Y,TMY3,1,39.7,-105.1,-7.0,%d.0\n" PERIODS(1, 1) "%s",
+            100 + i, row);
+        write_text(name[i], text);
+        year[i] = read_year(name[i], 100 + i);
+        murk_weather_year *again = read_year(name[i], 100 + i);
+        CHECK(again == year[i]);
+        murk_weather_year_release(again);
+    }
+    /* The last four are remembered, and the first ones read anew. */
+    murk_weather_year *const last = read_year(name[2], 102), *const first =
+                                                                 read_year(
+                                                                     name[0],
+                                                                     100);
+    CHECK(last == year[2] && first != year[0]);
+    murk_weather_year_release(last);
+    murk_weather_year_release(first);
+    /* Another file of that name. */
+    char text[1024];
+    snprintf(
+        text, sizeof text,
+        "LOCATION,P,X,Y,TMY3,1,39.7,-105.1,-7.0,17.0\n" PERIODS(1, 1) "%s\n",
+        row);
+    write_text(name[5], text);
+    murk_weather_year *const changed = read_year(name[5], 17);
+    CHECK(year[5]->altitude_m == 105);
+    murk_weather_year_release(changed);
+    for (int i = 0; i < 6; ++i) {
+        murk_weather_year_release(year[i]);
+        unlink(name[i]);
+    }
+    murk_weather_year_release(NULL);
+    /* A file that is gone is not remembered. */
+    murk_error err = {0};
+    murk_weather_year *none = NULL;
+    CHECK(murk_weather_year_read(&none, name[5], &err) == MURK_BAD_FILE);
+    CHECK(none == NULL && strstr(err.text, "cannot read"));
+}
+
 int main(void)
 {
     test_rows();
@@ -232,5 +294,6 @@ int main(void)
     test_quarters();
     test_refused();
     test_clearness();
+    test_shared();
     return check_done();
 }
