@@ -156,6 +156,7 @@ static void test_refused(void)
     } cases[] = {
         {false, "", "station"},
         {false, "hello", "capital letters"},
+        {false, "EGHI 150650Z 9999 mist", "'mist' in a weather report"},
         {false, "EGHI", "day and time"},
         {false, "EGHI 320650Z 9999", "day and time"},
         {false, "EGHI 152450Z 9999", "day and time"},
