@@ -73,6 +73,11 @@ size_t murk_photon_map_within(const murk_photon_map *map, murk_vec3 center,
 size_t murk_photons_within(const murk_photon *photon, size_t n,
                            murk_vec3 center, double radius_m, uint32_t *found);
 
+/* Leaves those of the n photons chosen[] of a list that are within range,
+ * likewise. Returns their number. */
+size_t murk_photons_chosen_within(const murk_photon *photon, uint32_t *chosen,
+                                  size_t n, murk_vec3 center, double radius_m);
+
 /* Like murk_photon_map_within(), but only counts. */
 size_t murk_photon_map_count_within(const murk_photon_map *map,
                                     murk_vec3 center, double radius_m);

@@ -162,6 +162,24 @@ size_t murk_photons_within(const murk_photon *photon, size_t n,
     return count;
 }
 
+size_t murk_photons_chosen_within(const murk_photon *photon, uint32_t *chosen,
+                                  size_t n, murk_vec3 center, double radius_m)
+{
+    murk_query_sphere ball;
+    size_t remaining = 0;
+    if (!make_ball(&ball, center, radius_m)) {
+        return 0;
+    }
+    for (size_t i = 0; i < n; ++i) {
+        const float *at = photon[chosen[i]].position_m;
+        const float x = at[0] - ball.center[0], y = at[1] - ball.center[1],
+                    z = at[2] - ball.center[2];
+        chosen[remaining] = chosen[i];
+        remaining += x * x + y * y + z * z <= ball.radius2;
+    }
+    return remaining;
+}
+
 size_t murk_photon_map_count_within(const murk_photon_map *map,
                                     murk_vec3 center, double radius_m)
 {

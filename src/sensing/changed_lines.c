@@ -26,6 +26,50 @@ murk_box_list murk_changes_within_range(const murk_box_list *all,
     return near;
 }
 
+/* A corner of a box, enlarged by margin_m. */
+static murk_vec3 corner_of(const murk_box *box, int corner, double margin_m)
+{
+    return murk_vec(corner & 1 ? box->max.x + margin_m : box->min.x - margin_m,
+                    corner & 2 ? box->max.y + margin_m : box->min.y - margin_m,
+                    corner & 4 ? box->max.z + margin_m : box->min.z - margin_m);
+}
+
+murk_change_cone murk_changes_cone(const murk_box_list *near, murk_vec3 sensor,
+                                   double range_m, double margin_m)
+{
+    /* Rounding, of squares and of ranges, is far below this share. */
+    static const double slack = 0.001;
+    murk_change_cone cone = {.nearest_m = INFINITY};
+    murk_box all = murk_box_empty();
+    for (size_t i = 0; i < near->n; ++i) {
+        all = murk_box_with(murk_box_with(all, near->box[i].min),
+                            near->box[i].max);
+    }
+    const murk_vec3 to =
+        murk_sub(murk_scale(0.5, murk_add(all.min, all.max)), sensor);
+    if (near->are_all || near->n == 0 || !(murk_length(to) > 0)) {
+        return cone;
+    }
+    /* A cone is convex, so one that has all corners has the boxes. */
+    double cosine = 1;
+    cone.axis = murk_unit(to);
+    for (size_t i = 0; i < 8 * near->n; ++i) {
+        const murk_vec3 offset = murk_sub(
+            corner_of(&near->box[i / 8], (int)(i % 8), margin_m), sensor);
+        const double along_m = murk_dot(offset, cone.axis);
+        cone.nearest_m = fmin(cone.nearest_m, along_m);
+        cosine = fmin(cosine, along_m / murk_length(offset));
+    }
+    cosine -= slack;
+    cone.is_there = cone.nearest_m > 0 && cosine * cosine > 0.5 && cosine > 0;
+    cone.cosine2 = cosine * cosine;
+    cone.nearest_m *= 1 - slack;
+    /* The ball through the sensor and the rim of the cone's part in range. */
+    cone.radius_m = (1 + slack) * range_m / (2 * cosine);
+    cone.middle = murk_along(sensor, cone.radius_m, cone.axis);
+    return cone;
+}
+
 /* True if the line between two points meets a box. Lines are cut as for the
  * test of surfaces, whose pieces reach over the sides of the domain. */
 static bool meets(const murk_box_list *changed, const murk_path_space *space,

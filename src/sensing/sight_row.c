@@ -427,33 +427,68 @@ void murk_sight_row(murk_sight *sight, unsigned worker, const murk_pose *pose,
 typedef struct row_changes {
     const murk_sight_changes *of;
     murk_box_list near;
+    murk_change_cone cone;   /* around `near` */
     uint64_t *tested;        /* a bit for each photon */
     murk_row_counts earlier; /* sightlines of the earlier row that are not taken
                               * over: of photons that are gone, and those that
                               * are tested again */
 } row_changes;
 
-/* The photons of a map that may be a part of the change: those that were added,
- * or all within range if sightlines may meet a changed place. The photons of
- * the surface map come first. */
-static size_t find_changed(const row_search *l, const row_changes *c,
-                           const murk_photon_map *map, bool is_volume,
-                           uint32_t *found)
+/* The photons of a map that were added, within range. */
+static size_t find_added(const row_search *l, const row_changes *c,
+                         bool is_volume, uint32_t *found)
 {
     const murk_sight_changes *of = c->of;
-    const murk_domain *domain = &l->sight->desc.domain;
-    if (c->near.n > 0 || c->near.are_all) {
-        return murk_photons_nearby(map, domain, l->sensor, l->query_m, found);
-    }
     const size_t first = is_volume ? of->added_surface : 0;
     const size_t n = murk_photons_listed_nearby(
         of->added_photon + first,
-        is_volume ? of->added_volume : of->added_surface, domain, l->sensor,
-        l->query_m, found);
+        is_volume ? of->added_volume : of->added_surface,
+        &l->sight->desc.domain, l->sensor, l->query_m, found);
     for (size_t i = 0; i < n; ++i) {
         found[i] = of->added[first + found[i]];
     }
     return n;
+}
+
+/* The photons of a map within range, in the cone around the changed places,
+ * that were there before. `first` is the number of the map's first photon. */
+static size_t find_in_cone(const row_search *l, const row_changes *c,
+                           const murk_photon_map *map, uint32_t first,
+                           uint32_t *found)
+{
+    const murk_photon *photon = murk_photon_map_photons(map);
+    const size_t n =
+        murk_photon_map_within(map, c->cone.middle, c->cone.radius_m, found);
+    size_t remaining = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const uint32_t k = first + found[i];
+        const murk_photon *p = &photon[found[i]];
+        const bool is_added = c->of->is_added[k / 64] >> (k % 64) & 1;
+        const murk_vec3 offset = murk_sub(murk_photon_place(p), l->sensor);
+        /* Written in any case, and counted if it remains. */
+        found[remaining] = found[i];
+        remaining += !is_added & murk_change_cone_has(&c->cone, offset);
+    }
+    /* The test of the range has the bits of a query of the map. */
+    return murk_photons_chosen_within(photon, found, remaining, l->sensor,
+                                      l->query_m);
+}
+
+/* The photons of a map that may be a part of the change: those that were added,
+ * and those to which a sightline may meet a changed place. */
+static size_t find_changed(const row_search *l, const row_changes *c,
+                           const murk_photon_map *map, bool is_volume,
+                           uint32_t first, uint32_t *found)
+{
+    if (c->near.n == 0 && !c->near.are_all) {
+        return find_added(l, c, is_volume, found);
+    }
+    if (!c->cone.is_there) {
+        return murk_photons_nearby(map, &l->sight->desc.domain, l->sensor,
+                                   l->query_m, found);
+    }
+    const size_t n = find_in_cone(l, c, map, first, found);
+    return n + find_added(l, c, is_volume, found + n);
 }
 
 /* True if the straight sightline from `at` meets a changed place. */
@@ -529,7 +564,7 @@ static void search_changed(row_search *l, row_changes *c,
     const murk_interfaces *interfaces = l->sight->interfaces;
     const murk_photon *photon = murk_photon_map_photons(map);
     uint32_t *found = l->photon + l->seen;
-    const size_t n = find_changed(l, c, map, is_volume, found);
+    const size_t n = find_changed(l, c, map, is_volume, first, found);
     murk_side sides[MURK_SIDES] = {{0}};
     line_block block;
     block.n = block.n_again = 0;
@@ -641,6 +676,12 @@ void murk_sight_row_again(murk_sight *sight, unsigned worker,
     begin_across(&l);
     c.near = murk_changes_within_range(&changes->changed, &desc->domain,
                                        l.sensor, l.query_m);
+    if (!desc->domain.is_periodic && !sight->interfaces) {
+        /* A sightline begins so far off its photon. */
+        const double off_m = murk_surfaces_leave_step_m(desc->surfaces);
+        c.cone = murk_changes_cone(&c.near, l.sensor, l.query_m,
+                                   2 * (off_m + sight->position_error_m));
+    }
     search_changed(&l, &c, desc->surface_map, false, 0);
     search_changed(&l, &c, desc->volume_map, true,
                    (uint32_t)murk_photon_map_count(desc->surface_map));

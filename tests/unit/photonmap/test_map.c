@@ -74,6 +74,14 @@ static size_t compare_within(const murk_photon_map *map, murk_vec3 center,
                               murk_photon_map_count(map), center, radius_m,
                               found) == wanted &&
           memcmp(found, want, wanted * sizeof *want) == 0);
+    /* And chosen from all of them. */
+    const size_t count = murk_photon_map_count(map);
+    for (size_t i = 0; i < count; ++i) {
+        found[i] = (uint32_t)i;
+    }
+    CHECK(murk_photons_chosen_within(murk_photon_map_photons(map), found, count,
+                                     center, radius_m) == wanted &&
+          memcmp(found, want, wanted * sizeof *want) == 0);
     return n;
 }
 
