@@ -12,21 +12,27 @@
 
 /* A step starts at the multipliers of the lowest bound and goes down the mean
  * of the subgradients. The length is Polyak's, which aims at the value of the
- * best known plan, times a factor. The factor starts at 1/2, is multiplied by
- * 1.1 after each step that lowers the bound, and by .66 after five rounds
- * without gain. Steps with a factor below 1e-4 no longer change the bound
- * noticeably. Values of the kind that Barahona and Anbil (2000) give for the
- * volume algorithm. */
-#define FIRST_STEP 0.5
-#define GROW       1.1
-#define SHRINK     0.66
-#define PATIENCE   5
-#define MIN_STEP   1e-4
+ * best known plan, times a factor. The factor is multiplied by `grow` after
+ * each step that lowers the bound, and by `shrink` after `patience` rounds
+ * without gain. The share of the last subgradient in the mean is alike / (alike
+ * + round) at first, but not below LATER_SHARE. */
+typedef struct descent_rule {
+    double first, grow, shrink;
+    size_t patience;
+    double alike;
+} descent_rule;
 
-/* Share of the last subgradient in the mean. The share is 3 / (3 + round) at
- * first, but not below a limit. The limit is .03, and is multiplied by .8 every
- * 50 rounds, so that the mean settles. */
-#define ROUNDS_ALIKE    3
+/* For many rounds: values of the kind that Barahona and Anbil (2000) give for
+ * the volume algorithm. For few: as close after 16 rounds as the others after
+ * 40, in the halls of scenes/ (a choice among some twenty that were tried). */
+static const descent_rule of_many = {.5, 1.1, .66, 5, 3},
+                          of_few = {.4, 1.1, .65, 1, 1};
+
+/* Steps with a factor below this no longer change the bound noticeably. */
+#define MIN_STEP 1e-4
+
+/* The smallest share of the last subgradient in the mean, which is multiplied
+ * by .8 every 50 rounds, so that the mean settles. */
 #define LATER_SHARE     0.03
 #define ROUNDS_PER_FALL 50
 #define FALL            0.8
@@ -154,10 +160,15 @@ static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
     b->live_count = remaining;
 }
 
-/* The share of the subgradient of this round in the mean. */
-static double share_of(size_t round)
+static const descent_rule *rule_of(const murk_bound *b)
 {
-    const double early = ROUNDS_ALIKE / (double)(ROUNDS_ALIKE + round);
+    return b->is_short ? &of_few : &of_many;
+}
+
+/* The share of the subgradient of this round in the mean. */
+static double share_of(const descent_rule *rule, size_t round)
+{
+    const double early = rule->alike / (rule->alike + (double)round);
     const double late =
         LATER_SHARE * pow(FALL, (double)(round / ROUNDS_PER_FALL));
     return early > late ? early : late;
@@ -168,14 +179,14 @@ static void begin_descent(murk_bound *b)
 {
     memset(b->mean, 0, b->evaluator->layout->slots * sizeof *b->mean);
     b->round = b->since_gain = 0;
-    b->step = FIRST_STEP;
+    b->step = rule_of(b)->first;
 }
 
 /* Adds the present subgradient to the mean. */
 static void update_mean(murk_bound *b, size_t chosen)
 {
     const size_t slots = b->evaluator->layout->slots;
-    const float share = (float)share_of(b->round++);
+    const float share = (float)share_of(rule_of(b), b->round++);
     b->queries += b->evaluator->matrix ? 0 : chosen;
     murk_multipliers_subgradient(&b->multipliers, b->top, chosen,
                                  b->subgradient);
@@ -288,6 +299,7 @@ static uint64_t evaluate(murk_bound *b, size_t n, size_t *chosen)
 static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
 {
     const murk_evaluator *o = b->evaluator;
+    const descent_rule *rule = rule_of(b);
     const size_t slots = o->layout->slots;
     uint64_t upper = o->ceiling, lowest = UINT64_MAX;
     size_t chosen = 0;
@@ -298,14 +310,14 @@ static uint64_t descend(murk_bound *b, size_t n, uint64_t lower, size_t rounds)
         }
         uint64_t now = evaluate(b, n, &chosen);
         /* If the bound has fallen, store the multipliers and lengthen the step.
-         * Otherwise shorten the step after PATIENCE rounds. */
+         * Otherwise shorten the step in time. */
         if (now < lowest) {
-            b->step *= lowest < UINT64_MAX ? GROW : 1;
+            b->step *= lowest < UINT64_MAX ? rule->grow : 1;
             lowest = now;
             b->since_gain = 0;
             memcpy(b->lowest, b->multiplier, slots * sizeof *b->lowest);
-        } else if (++b->since_gain >= PATIENCE) {
-            b->step *= SHRINK;
+        } else if (++b->since_gain >= rule->patience) {
+            b->step *= rule->shrink;
             b->since_gain = 0;
         }
         /* Plans with candidates that were fixed out are worth at most `lower`,

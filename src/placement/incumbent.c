@@ -24,10 +24,13 @@
 
 /* Maximum number of evaluations of the bound in a known environment. Large
  * matrices get fewer: as many as 2e10 evaluated entries allow, some seconds of
- * work, but ROUNDS_MIN at least. In an unknown environment each evaluation asks
- * for every row, so at most one is made; rounds_of() says for which counts. */
+ * work, but ROUNDS_MIN at least, and a quick search ROUNDS_QUICK, whose bound
+ * is about as close as 40 of the others (placement/bound.c). In an unknown
+ * environment each evaluation asks for every row, so at most one is made;
+ * rounds_of() says for which counts. */
 #define ROUNDS_MAX        400
 #define ROUNDS_MIN        40
+#define ROUNDS_QUICK      16
 #define PAIRS_WEIGHED_MAX 20000000000.0
 /* An entry of detection probabilities takes 16 times as long. */
 #define PAIRS_OF_A_CHANCE 16
@@ -354,16 +357,18 @@ static size_t rounds_of(const murk_incumbent *p, size_t k, bool is_plan)
     return !has_greedy_bound || is_wanted ? 1 : 0;
 }
 
-/* True if a plan is improved quickly: one of a sequence, with little work for
- * the bound and none for the curve. */
+/* True if a plan is found quickly: one of a sequence, with little work for the
+ * bound and none for the curve. */
 static bool is_quick(const murk_place_desc *desc)
 {
-    return desc->start_plan && desc->method == MURK_PLACE_BEST;
+    return (desc->start_plan && desc->method == MURK_PLACE_BEST) ||
+           (desc->is_of_sequence && desc->method == MURK_PLACE_GREEDY &&
+            !desc->target);
 }
 
 /* Number of evaluations of the bound for the plan: by the size of the matrix;
  * few if the search is quick, because they would take most of its time
- * (smoke-hall, 50,000 photons: .9 of 1.1 s, for .831 instead of .849). */
+ * (smoke-hall, 50,000 photons: .9 of 1.1 s). */
 static size_t rounds_for(const murk_evaluator *evaluator,
                          const murk_place_desc *desc)
 {
@@ -371,7 +376,7 @@ static size_t rounds_for(const murk_evaluator *evaluator,
         return 1;
     }
     if (is_quick(desc)) {
-        return ROUNDS_MIN;
+        return ROUNDS_QUICK;
     }
     const double pairs = (double)murk_matrix_pairs(evaluator->matrix);
     const double max = evaluator->layout->doses
@@ -405,6 +410,7 @@ murk_status murk_incumbent_init(murk_incumbent *p, murk_place_run *run,
     p->search->greedy_bound = p->greedy_bound;
     p->search->greedy_bound_count = run->set ? 0 : n;
     const murk_status status = murk_bound_init(&p->bound, &run->evaluator, err);
+    p->bound.is_short = is_quick(desc);
     return status ? status
                   : murk_starts_init(&p->starts, &run->evaluator, n, desc->seed,
                                      err);

@@ -46,6 +46,9 @@ typedef struct murk_place_desc {
                                    which the search begins (placement/place.h);
                                    NULL: no start plan is given */
     size_t start_size;
+    bool is_of_sequence; /* one of many plans of a scene that changes: greedy
+                            makes a cheap bound, as the search from a start plan
+                            does, and takes the curve from its own plan */
     bool keep_dominated; /* without presolve, for comparison */
 } murk_place_desc;
 

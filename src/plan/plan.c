@@ -29,6 +29,8 @@ murk_place_desc murk_plan_desc(const murk_scene_desc *scene)
     desc.row_memory =
         (uint64_t)(scene->placement.memory_mb * MURK_BYTES_PER_MB);
     desc.seed = scene->seed;
+    desc.is_of_sequence = scene->timeline.given &&
+                          scene->placement.over == MURK_SCENE_OBJECTIVE_NONE;
     return desc;
 }
 
