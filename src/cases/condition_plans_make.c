@@ -215,8 +215,11 @@ static murk_status measure_in(murk_condition_plans *plans,
     murk_traced *other = NULL;
     murk_sight *sight = NULL;
     murk_status status = MURK_OK;
-    /* The search has freed much that the next light may take the place of. */
-    murk_machine_trim();
+    /* The search has freed much that the next light may take the place of; the
+     * next step of a sequence needs as much again. */
+    if (!plan->keeps_matrix) {
+        murk_machine_trim();
+    }
     /* The photons need not be stored if there is one plan without jitter. */
     if (plans->plans == 1 && murk_plan_can_stream(stage) &&
         (!is_held_out || draws_of(plans) == 0)) {

@@ -295,8 +295,8 @@ static bool is_distributed(const murk_problem *problem)
 murk_status murk_matrix_create(murk_matrix **out, const murk_problem *problem,
                                uint64_t memory_bytes, murk_error *err)
 {
-    const bool is_worth =
-        problem->photons >= PHOTONS_WORTH_MERGING && !problem->is_reweighed;
+    const bool is_worth = problem->photons >= PHOTONS_WORTH_MERGING &&
+                          !problem->is_reweighed && !problem->is_unmerged;
     return murk_matrix_make(
         out, problem, memory_bytes,
         is_worth ? MURK_MERGE_WHERE_IT_PAYS : MURK_MERGE_NEVER, err);
@@ -344,8 +344,12 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
             &matrix->layout, matrix->row, matrix->space, matrix->is_distributed,
             problem, hash, problem->has_columns, merging == MURK_MERGE_ALWAYS,
             problem->has_columns ? &matrix->representative : NULL, err);
-        matrix->hash = problem->has_columns ? hash : NULL;
-        hash = NULL; /* murk_merge() has freed it, or the matrix has it */
+        hash =
+            problem->has_columns ? hash : NULL; /* murk_merge() has freed it */
+        if (matrix->representative) {
+            matrix->hash = hash;
+            hash = NULL;
+        }
         murk_machine_trim();
     }
     if (!status) {
@@ -456,6 +460,11 @@ bool murk_matrix_list(uint32_t *slot, uint16_t *clarity, size_t *n,
         *n += clarity[*n] > 0;
     }
     return true;
+}
+
+void murk_matrix_drop(murk_matrix *matrix, size_t candidate)
+{
+    murk_row_space_drop(matrix->space, &matrix->row[candidate]);
 }
 
 const _Atomic uint64_t *murk_matrix_hashes(const murk_matrix *matrix)

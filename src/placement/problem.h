@@ -102,6 +102,8 @@ typedef struct murk_problem {
     bool is_distributed; /* ranks distribute the matrix, whatever its size
                             (placement/matrix.h); for tests */
     bool has_columns;    /* murk_matrix_slot() will be asked for the photons */
+    bool is_unmerged;    /* equal columns are not looked for: an earlier matrix
+                            of nearly the same entries had too few */
     /* [photons] the hashes of the columns of an earlier matrix of the same
      * candidates (murk_matrix_hashes()), 0 for a photon that it had not; NULL:
      * none. Not with ranks. The hashes of this matrix are computed from them
@@ -180,9 +182,13 @@ size_t murk_matrix_slot(const murk_matrix *matrix, uint32_t photon);
 bool murk_matrix_list(uint32_t *slot, uint16_t *clarity, size_t *n,
                       const murk_matrix *matrix, size_t candidate);
 
+/* Frees the stored row of a candidate, which is not read again. May be called
+ * from any thread. */
+void murk_matrix_drop(murk_matrix *matrix, size_t candidate);
+
 /* [photons of the problem] a hash of the column of each photon, the sum of
  * words that depend on candidate and clarity; NULL unless the matrix was made
- * with has_columns and looked for equal columns. */
+ * with has_columns and photons with equal columns were merged. */
 const _Atomic uint64_t *murk_matrix_hashes(const murk_matrix *matrix);
 
 #endif

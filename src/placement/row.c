@@ -113,22 +113,20 @@ size_t murk_row_bytes(const murk_layout *layout, const murk_sparse_row *entries)
     return format_of(layout, entries, words_used).bytes;
 }
 
-/* Writes the clarities in the order of the slots. first[words] is scratch: the
- * index of the first clarity of each word. */
+/* Writes the clarities in the order of the slots. dense[slots] is scratch. */
 static void fill_packed(uint16_t *clarity, const uint64_t *bits,
-                        uint32_t *first, const murk_layout *layout,
+                        uint16_t *dense, const murk_layout *layout,
                         const murk_sparse_row *entries)
 {
-    uint32_t before = 0;
-    for (size_t k = 0; k < layout->words; ++k) {
-        first[k] = before;
-        before += (uint32_t)__builtin_popcountll(bits[k]);
-    }
     for (size_t k = 0; k < entries->seen; ++k) {
-        const size_t at = murk_layout_slot(layout, entries->photon[k]);
-        const uint64_t below = bits[at / 64] & ((UINT64_C(1) << (at % 64)) - 1);
-        clarity[first[at / 64] + (size_t)__builtin_popcountll(below)] =
+        dense[murk_layout_slot(layout, entries->photon[k])] =
             entries->clarity[k];
+    }
+    for (size_t k = 0; k < layout->words; ++k) {
+        const uint16_t *word = dense + 64 * k;
+        for (uint64_t left = bits[k]; left; left &= left - 1) {
+            *clarity++ = word[__builtin_ctzll(left)];
+        }
     }
 }
 
@@ -169,15 +167,15 @@ static bool store_packed(murk_row *row, const row_format *s,
                          const murk_layout *layout, const uint64_t *bits,
                          const murk_sparse_row *entries)
 {
-    uint32_t *first = malloc((layout->words + 1) * sizeof *first);
-    if (!first) {
+    uint16_t *dense = malloc(layout->slots * sizeof *dense + 1);
+    if (!dense) {
         return false;
     }
     uint16_t *clarity =
         (uint16_t *)((char *)row->memory + bytes_of_bits(s, layout));
-    fill_packed(clarity, bits, first, layout, entries);
+    fill_packed(clarity, bits, dense, layout, entries);
     row->clarity = clarity;
-    free(first);
+    free(dense);
     return true;
 }
 

@@ -330,27 +330,35 @@ static numbered_pose numbered_pose_of(const murk_poses *poses, size_t i)
                            (uint32_t)i};
 }
 
-/* Fills rows->candidate. False when out of memory. */
+/* Fills rows->candidate: each earlier pose is that of one candidate at most.
+ * False when out of memory. */
 static bool find_candidates(murk_earlier_rows *rows, const murk_poses *earlier,
                             const murk_poses *now)
 {
     const size_t n = earlier->count;
     numbered_pose *sorted = malloc(n * sizeof *sorted + 1);
+    bool *is_found = calloc(n + 1, sizeof *is_found);
     rows->candidate =
         murk_arena_array(&rows->arena, now->count, sizeof *rows->candidate);
-    const bool has_memory = sorted && rows->candidate;
+    const bool has_memory = sorted && is_found && rows->candidate;
     for (size_t i = 0; has_memory && i < n; ++i) {
         sorted[i] = numbered_pose_of(earlier, i);
     }
     if (has_memory) {
         qsort(sorted, n, sizeof *sorted, compare_poses);
     }
+    /* A second candidate at one pose has a row that is computed. */
     for (size_t i = 0; has_memory && i < now->count; ++i) {
         const numbered_pose pose = numbered_pose_of(now, i);
         const numbered_pose *found =
             bsearch(&pose, sorted, n, sizeof *sorted, compare_poses);
-        rows->candidate[i] = found ? found->number : NO_CANDIDATE;
+        const bool is_first = found && !is_found[found->number];
+        rows->candidate[i] = is_first ? found->number : NO_CANDIDATE;
+        if (found) {
+            is_found[found->number] = true;
+        }
     }
+    free(is_found);
     free(sorted);
     return has_memory;
 }
@@ -512,6 +520,10 @@ static bool get_known(void *context, unsigned worker, size_t candidate,
         !murk_matrix_list(s->slot, s->slot_clarity, &n, rows->matrix, before)) {
         return false;
     }
+    if (rows->frees_rows) {
+        murk_matrix_drop(rows->matrix, before);
+    }
+    /* Test what may differ, and take the rest over. */
     murk_sight_row_again(rows->sight, worker, &rows->poses->pose[candidate],
                          &rows->changes, &rows->tested[before], s->again,
                          &s->come);
@@ -624,7 +636,12 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
         return MURK_OK;
     }
     *out = rows;
-    out->known = (murk_known_rows){get_known, out, rows.hash, get_differences};
+    out->known =
+        (murk_known_rows){.get = get_known,
+                          .context = out,
+                          .is_unmerged = !murk_matrix_hashes(rows.matrix),
+                          .earlier_hash = rows.hash,
+                          .get_differences = get_differences};
     return MURK_OK;
 }
 

@@ -50,7 +50,10 @@ typedef struct murk_earlier_rows {
     murk_known_rows known; /* for the placement problem of the new plan */
     murk_sight *sight;     /* of the new plan */
     const murk_poses *poses;
-    const murk_matrix *matrix;
+    murk_matrix *matrix;
+    bool frees_rows; /* set by the caller, who asks for each row once: a row of
+                      * the matrix is freed when it has been read, so that the
+                      * new one takes its place */
     const murk_row_counts *tested;
     size_t offset;       /* first photon of the earlier light in its matrix */
     uint32_t *same;      /* [photons of the new plan] number of the same

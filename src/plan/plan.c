@@ -421,6 +421,7 @@ static murk_status choose(murk_plan_result *plan, const murk_stage *stage,
     murk_earlier_rows rows;
     status = murk_earlier_rows_create(&rows, plan->earlier, plan->poses, stage,
                                       sight, murk_plan_sight_again, err);
+    rows.frees_rows = true;
     seen.problem.has_columns = plan->keeps_matrix;
     seen.tested = plan->keeps_matrix
                       ? murk_plan_note_sightlines(plan->poses->count)

@@ -223,6 +223,7 @@ typedef struct murk_known_rows {
                 murk_sparse_row *row);
     void *context;
     /* As in murk_problem. */
+    bool is_unmerged;
     const uint64_t *earlier_hash;
     void (*get_differences)(void *context, unsigned worker,
                             murk_sparse_row *gone, murk_sparse_row *come);

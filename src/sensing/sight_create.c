@@ -372,6 +372,7 @@ void murk_sight_problem_know(murk_sight_problem *problem,
 {
     problem->known = known;
     problem->problem.earlier_hash = known ? known->earlier_hash : NULL;
+    problem->problem.is_unmerged = known && known->is_unmerged;
 }
 
 const uint32_t *murk_sight_weights(const murk_sight *sight)
