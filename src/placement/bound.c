@@ -24,7 +24,8 @@ typedef struct descent_rule {
 
 /* For many rounds: values of the kind that Barahona and Anbil (2000) give for
  * the volume algorithm. For few: as close after 16 rounds as the others after
- * 40, in the halls of scenes/ (a choice among some twenty that were tried). */
+ * 40, and closer after 100, in the halls of scenes/ (a choice among some twenty
+ * that were tried). */
 static const descent_rule of_many = {.5, 1.1, .66, 5, 3},
                           of_few = {.4, 1.1, .65, 1, 1};
 
@@ -162,7 +163,7 @@ static void fix_candidates(murk_bound *b, size_t n, size_t chosen,
 
 static const descent_rule *rule_of(const murk_bound *b)
 {
-    return b->is_short ? &of_few : &of_many;
+    return b->is_quick ? &of_few : &of_many;
 }
 
 /* The share of the subgradient of this round in the mean. */

@@ -40,7 +40,7 @@ typedef struct murk_bound {
         *mean; /* [slots] weighted mean of the subgradients of `round` rounds */
     size_t round, since_gain;
     double step;
-    bool is_short; /* set by the caller: few rounds will be made, so steps grow
+    bool is_quick; /* set by the caller: few rounds will be made, so steps grow
                     * short sooner */
     size_t
         last_count; /* count of sensors that mean and step belong to; 0: none */

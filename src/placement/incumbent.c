@@ -24,14 +24,16 @@
 
 /* Maximum number of evaluations of the bound in a known environment. Large
  * matrices get fewer: as many as 2e10 evaluated entries allow, some seconds of
- * work, but ROUNDS_MIN at least, and a quick search ROUNDS_QUICK, whose bound
- * is about as close as 40 of the others (placement/bound.c). In an unknown
- * environment each evaluation asks for every row, so at most one is made;
- * rounds_of() says for which counts. */
+ * work, but ROUNDS_MIN at least; a quick search as many as 1.2e8 entries allow,
+ * a tenth of a second, but ROUNDS_QUICK_MIN at least. In an unknown environment
+ * each evaluation asks for every row, so at most one is made; rounds_of() says
+ * for which counts. */
 #define ROUNDS_MAX        400
 #define ROUNDS_MIN        40
-#define ROUNDS_QUICK      16
 #define PAIRS_WEIGHED_MAX 20000000000.0
+#define ROUNDS_QUICK_MAX  100
+#define ROUNDS_QUICK_MIN  16
+#define PAIRS_QUICK_MAX   120000000.0
 /* An entry of detection probabilities takes 16 times as long. */
 #define PAIRS_OF_A_CHANCE 16
 
@@ -372,18 +374,17 @@ static bool is_quick(const murk_place_desc *desc)
 static size_t rounds_for(const murk_evaluator *evaluator,
                          const murk_place_desc *desc)
 {
+    const bool quick = is_quick(desc);
+    const double min = quick ? ROUNDS_QUICK_MIN : ROUNDS_MIN,
+                 max = quick ? ROUNDS_QUICK_MAX : ROUNDS_MAX,
+                 weighed = quick ? PAIRS_QUICK_MAX : PAIRS_WEIGHED_MAX;
     if (!evaluator->matrix) {
         return 1;
     }
-    if (is_quick(desc)) {
-        return ROUNDS_QUICK;
-    }
-    const double pairs = (double)murk_matrix_pairs(evaluator->matrix);
-    const double max = evaluator->layout->doses
-                           ? PAIRS_WEIGHED_MAX / PAIRS_OF_A_CHANCE
-                           : PAIRS_WEIGHED_MAX;
-    const double wanted = fmin(max / fmax(pairs, 1), ROUNDS_MAX);
-    return (size_t)fmax(wanted, ROUNDS_MIN);
+    const double pairs = (double)murk_matrix_pairs(evaluator->matrix),
+                 each = evaluator->layout->doses ? PAIRS_OF_A_CHANCE : 1;
+    const double wanted = fmin(weighed / each / fmax(pairs, 1), max);
+    return (size_t)fmax(wanted, min);
 }
 
 murk_status murk_incumbent_init(murk_incumbent *p, murk_place_run *run,
@@ -410,7 +411,7 @@ murk_status murk_incumbent_init(murk_incumbent *p, murk_place_run *run,
     p->search->greedy_bound = p->greedy_bound;
     p->search->greedy_bound_count = run->set ? 0 : n;
     const murk_status status = murk_bound_init(&p->bound, &run->evaluator, err);
-    p->bound.is_short = is_quick(desc);
+    p->bound.is_quick = is_quick(desc);
     return status ? status
                   : murk_starts_init(&p->starts, &run->evaluator, n, desc->seed,
                                      err);
