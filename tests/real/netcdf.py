@@ -94,6 +94,11 @@ def own_files(folder):
                 [-999.0 if (i, j, k) == (2, 1, 3) else water(i, j, k, t)
                  for t in range(3) for k in range(4) for j in range(2) for i in range(3)])}
     write_classic(folder / "plain.nc", {"time": 0, "x": 3, "y": 2, "z": 4}, plain)
+    back = dict(plain)  # times that fall
+    back["time"] = (["time"], "d", {"units": "minutes since 2000-01-01"}, [13, 11, 10])
+    values = plain["lwc"][3]
+    back["lwc"] = (*plain["lwc"][:3], values[48:] + values[24:48] + values[:24])
+    write_classic(folder / "back.nc", {"time": 0, "x": 3, "y": 2, "z": 4}, back)
     packed = {
         "e": (["e"], "d", {"units": "m", "axis": "X", "bounds": "e_bounds"}, X),
         "e_bounds": (["e", "two"], "d", {}, [50, -50, 175, 50, 325, 175]), "n": (["n"], "d", {"units": "km", "axis": "Y"}, Y),
@@ -123,7 +128,8 @@ def compare_own(folder):
     lines = [[X[i] + 1, 1000 * Y[j] + 1, -100.0, X[i] + 1, 1000 * Y[j] + 1, 5000.0] for i, j in places]
     keys = "albedo: 1, effective_radius_um: 10, "
     for file, name, weight, time_s in (("plain.nc", "lwc", 0, 0), ("plain.nc", "lwc", 0.25, 15),
-                                       ("plain.nc", "lwc", 1, 60), ("packed.nc", "liquid", 0, 0)):
+                                       ("plain.nc", "lwc", 1, 60), ("packed.nc", "liquid", 0, 0),
+                                       ("back.nc", "lwc", 0, 0), ("back.nc", "lwc", 0.25, 15)):
         got = depths(folder, keys + f"netcdf: {folder / file}, liquid_water: {name}, time_s: {time_s}", lines)
         if isinstance(got, str):
             check(False, got)
@@ -439,10 +445,16 @@ def mud(i, j):
 
 
 def write_degrees(file, longitudes, latitudes, values, **more):
-    """values: by the order of the file's axes, latitude outside; two layers alike."""
-    write_classic(file, {"lev": 2, "lat": len(latitudes), "lon": len(longitudes)}, {
-        "lon": (["lon"], "d", {"units": more.get("unit", "degrees_east")}, longitudes),
-        "lat": (["lat"], "d", {"units": "degrees_north"}, latitudes),
+    """values: by the order of the file's axes, latitude outside; two layers alike. below: the cells of middles begin so
+    far below them and are .5 wide."""
+    bounds = {}
+    if "below" in more:
+        for name, middles in (("lon", longitudes), ("lat", latitudes)):
+            bounds[name + "_bounds"] = ([name, "two"], "d", {}, [m - more["below"] + add for m in middles for add in (0, .5)])
+    own = {name: {"bounds": name + "_bounds"} if bounds else {} for name in ("lon", "lat")}
+    write_classic(file, {"lev": 2, "lat": len(latitudes), "lon": len(longitudes), "two": 2}, bounds | {
+        "lon": (["lon"], "d", {"units": more.get("unit", "degrees_east")} | own["lon"], longitudes),
+        "lat": (["lat"], "d", {"units": "degrees_north"} | own["lat"], latitudes),
         "lev": (["lev"], "d", {"units": "m", "axis": "Z", "standard_name": more.get("level", "height")}, [100.0, 300.0]),
         "mud": (["lev", "lat", "lon"], "f", {"units": "g m-3"}, values * 2)})
 
@@ -513,19 +525,26 @@ def told(folder, scene):
 
 def compare_globe(folder):
     """A file of the whole earth from 0 degrees on, which within_m cuts out across its first longitude, and one that
-    repeats it; every cell counts once, in its place."""
-    file, site = folder / "globe.nc", (10.0, 0.2)
-    for count in (720, 721):
+    repeats it; every cell counts once, in its place, also if bounds put its middle elsewhere."""
+    file, site = folder / "globe.nc", (10.2, -0.2)
+    for count, below in ((720, None), (721, None), (720, .2)):
         longitudes, latitudes = [.5 * i for i in range(count)], [9 + .5 * j for j in range(5)]
-        write_degrees(file, longitudes, latitudes, [mud(i % 720, j) for j in range(5) for i in range(count)])
+        write_degrees(file, longitudes, latitudes, [mud(i % 720, j) for j in range(5) for i in range(count)],
+                      **({"below": below} if below else {}))
         keys = f"netcdf: {file}, per_unit: 0.00002, within_m: [-15e3, -15e3, 15e3, 15e3]"
-        numbers = [-2, -1, 0, 1, 2]  # the box has parts of -1 (-.75 degrees) to 1; one more on each side
-        x, y, _ = placed(edges_of([.5 * i for i in numbers]), edges_of(latitudes), site)
-        middle = (y[2] + y[3]) / 2
+        numbers = [-2, -1, 0, 1]  # the box lies between -.5 and 0 degrees; one more on each side
+        edges = [edges_of([.5 * i for i in numbers]), edges_of(latitudes[1:])]  # rows likewise
+        if below:
+            edges = [[edge + .25 - below for edge in along] for along in edges]
+        x, y, _ = placed(*edges, site)
         for low, high in ((-2e4, 2e4), (-2e4, 0), (0, 2e4)):
-            got = predicted(murk, folder, at_site(site, keys), [[low, middle, 200.0, high, middle, 200.0]], "fraction")
+            got = predicted(murk, folder, at_site(site, keys), [[low, 100.0, 200.0, high, 100.0, 200.0]], "fraction")
             want = sum(mud(i % 720, 2) * max(0, min(b, high) - max(a, low)) for i, a, b in zip(numbers, x, x[1:]))
-            check(not isinstance(got, str) and abs(-math.log(got[0]) / 2e-5 - want) <= 2e-6 * want, f"globe of {count}: {got}, {want}")
+            check(not isinstance(got, str) and abs(-math.log(got[0]) / 2e-5 - want) <= 2e-6 * want, f"globe of {count}, {below}: {got}, {want}")
+        # along a meridian, from row to row
+        got = predicted(murk, folder, at_site(site, keys), [[100.0, -2e4, 200.0, 100.0, 2e4, 200.0]], "fraction")
+        want = sum(mud(0, j) * max(0, min(b, 2e4) - max(a, -2e4)) for j, a, b in zip(range(1, 5), y, y[1:]))
+        check(not isinstance(got, str) and abs(-math.log(got[0]) / 2e-5 - want) <= 2e-6 * want, f"rows of {count}, {below}: {got}, {want}")
 
 
 def compare_cuts(folder):
