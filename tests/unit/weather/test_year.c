@@ -227,6 +227,37 @@ static void test_clearness(void)
     CHECK(murk_sky_cie_type(1) == 1 && murk_sky_cie_type(8) == 12);
 }
 
+/* A year of quarters of an hour, which needs more memory than one of hours. */
+static void test_long(void)
+{
+    enum { ROWS = 365 * 24 * 4 };
+    static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    const size_t size = 1000 + (size_t)ROWS * 128;
+    char *text = malloc(size);
+    size_t n =
+        (size_t)snprintf(text, size, "%s", HEAD PERIODS(1, 4) /* then rows */);
+    for (int month = 1; month <= 12; ++month) {
+        for (int i = 0; i < 96 * days[month - 1]; ++i) {
+            n += (size_t)snprintf(text + n, size - n,
+                                  ROW("2010,%d,%d,%d,%d", "0,0,%d",
+                                      "8,8,9,3300,9,999999999", "999,99"),
+                                  month, i / 96 + 1, i / 4 % 24 + 1,
+                                  15 * (i % 4 + 1), i % 1000);
+        }
+    }
+    murk_error err = {0};
+    murk_weather_year *year = parse(text, &err);
+    CHECK_TEXT(err.text, "");
+    CHECK(year && year->n == ROWS && year->interval_min == 15);
+    const murk_weather_row *row =
+        year ? murk_weather_year_at(year, utc("2010-12-31T23:50:00-07:00"))
+             : NULL;
+    CHECK(row && row->seen.diffuse_w_per_m2 == (96 * 31 - 1) % 1000);
+    CHECK(row && row->ends_min == 1440 && row->line == 5 + ROWS);
+    murk_weather_year_release(year);
+    free(text);
+}
+
 static murk_weather_year *read_year(const char *path, double altitude_m)
 {
     murk_weather_year *year = NULL;
@@ -295,5 +326,6 @@ int main(void)
     test_refused();
     test_clearness();
     test_shared();
+    test_long();
     return check_done();
 }
