@@ -117,6 +117,7 @@ static void test_codes(void)
         {"8,8,9,3,0,999999909", "999,99", MURK_WEATHER_HAZE, 0},
         {"8,8,9,3,0,0", "999,99", MURK_WEATHER_NONE, 0},
         {"8,8,9,3,9,929999999", "999,99", MURK_WEATHER_NONE, 0},
+        {"8,8,9,3,9,929999999", "0.5,1", MURK_WEATHER_NONE, .5},
     };
     /* Each in a file of one row. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
