@@ -16,6 +16,11 @@ murk_observation murk_observation_empty(void)
                               .pressure_hpa = NAN};
 }
 
+bool murk_is_of_air(double temperature_c)
+{
+    return temperature_c >= MURK_COLDEST_C && temperature_c <= MURK_HOTTEST_C;
+}
+
 double murk_rain_of_class(bool is_drizzle, int intensity)
 {
     /* The header has the source. */

@@ -25,6 +25,16 @@ typedef enum murk_weather_kind {
  * 400 mm in an hour). */
 #define MURK_RAIN_MM_PER_H_MAX 500.0
 
+/* Temperatures of air beyond these are faults of a report: -89.2 C and 56.7 C
+ * are the extremes on record (World Meteorological Organization, archive of
+ * weather and climate extremes). */
+#define MURK_COLDEST_C (-90.0)
+#define MURK_HOTTEST_C 70.0
+
+/* Weather years state whole W/m2: an irradiance that they state as 0 is less
+ * than this. */
+#define MURK_WEATHER_RESOLVED_W_PER_M2 .5
+
 #define MURK_WEATHER_GROUPS_SIZE                  \
     64 /* of the texts of a report, with the '\0' \
         */
@@ -46,12 +56,18 @@ typedef struct murk_observation {
     double pressure_hpa; /* at the station; METAR: reduced to the sea level */
     char weather[MURK_WEATHER_GROUPS_SIZE]; /* the weather groups as they stand,
                                              * blanks between */
-    char unknown[MURK_WEATHER_GROUPS_SIZE]; /* the first group that the reader
-                                             * does not know; empty: none */
+    char unknown[MURK_WEATHER_GROUPS_SIZE]; /* groups that the reader does not
+                                             * know, blanks between; empty:
+                                             * none */
+    int day;    /* of the month, of a report; 0: not of a report */
+    int minute; /* of that day, UTC, when the report was made */
 } murk_observation;
 
 /* All numbers NAN, except for rain 0; no weather. */
 murk_observation murk_observation_empty(void);
+
+/* True for a temperature that air can have. */
+bool murk_is_of_air(double temperature_c);
 
 /* The rate of rain or drizzle [mm/h] of a class of intensity: 0 light, 1
  * moderate, 2 heavy. Rain is light up to 2.5 and heavy from 7.6 mm/h on,

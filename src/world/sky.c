@@ -364,20 +364,27 @@ static murk_status moon_light(murk_source *out, murk_sky_facts *facts,
     return MURK_OK;
 }
 
+/* Diffuse irradiance by the model of twilight (source/twilight.h) on a level
+ * plane [W/m2] under the clouds; with the sun up, that at the horizon. */
+static double twilight_w_per_m2(const daylight *day, murk_scene_cover cover,
+                                const murk_solar_spectrum *spectrum)
+{
+    return clouds_of(cover).left *
+           murk_twilight_lux(day->sun.geometric_elevation_deg) /
+           lumen_per_watt(spectrum);
+}
+
 /* Diffuse irradiance by sunlight on a level plane [W/m2] under the clouds: the
  * larger of the values of the model of the day (source/clear_sky.h) and of the
- * model of twilight (source/twilight.h), so that the two join without a gap. */
+ * model of twilight, so that the two join without a gap. */
 static double scattered_w_per_m2(const daylight *day, murk_scene_cover cover,
                                  const murk_solar_spectrum *spectrum)
 {
     const clouds c = clouds_of(cover);
-    const double twilight =
-        murk_twilight_lux(day->sun.geometric_elevation_deg) /
-        lumen_per_watt(spectrum);
     const double by_day = cover == MURK_SCENE_CLEAR
                               ? day->clear.diffuse_w_per_m2
                               : c.left * c.diffuse * day->clear.global_w_per_m2;
-    return fmax(by_day, c.left * twilight);
+    return fmax(by_day, twilight_w_per_m2(day, cover, spectrum));
 }
 
 /* Sets cover and type of a sky under the weather by the clearness, if the sun
@@ -402,18 +409,30 @@ static void see_clearness(murk_scene_light *light, const murk_observation *seen,
     }
 }
 
+/* The light by a weather that states a diffuse irradiance of 0: less than half
+ * a unit of the last digit, because files state whole W/m2, and models for such
+ * files give 0 for a sun that is up to some 6 degrees high. The light is that
+ * of the model of twilight (at the horizon, if the sun is up), at most that
+ * half unit, so that a rising sun never makes the sky darker. */
+static double below_resolution(const murk_scene_light *light,
+                               const daylight *day,
+                               const murk_solar_spectrum *spectrum)
+{
+    return fmin(twilight_w_per_m2(day, light->cover, spectrum),
+                MURK_WEATHER_RESOLVED_W_PER_M2);
+}
+
 /* Diffuse irradiance by sunlight on a level plane [W/m2]: that of the weather,
- * if it states one, else that of the models. A measured 0 while the sun is down
- * is less than the instrument resolves, and leaves the twilight. */
+ * if it states one, else that of the models. */
 static double diffuse_by_sun(const murk_scene_desc *scene,
                              const murk_scene_light *light, const daylight *day,
                              const murk_solar_spectrum *spectrum)
 {
     const double measured =
         light->by_weather ? scene->weather.seen.diffuse_w_per_m2 : NAN;
-    return measured > 0 || (measured == 0 && day->sun.elevation_deg > 0)
-               ? measured
-               : scattered_w_per_m2(day, light->cover, spectrum);
+    return measured > 0    ? measured
+           : measured == 0 ? below_resolution(light, day, spectrum)
+                           : scattered_w_per_m2(day, light->cover, spectrum);
 }
 
 static murk_status sky_light(murk_source *out, murk_sky_facts *facts,

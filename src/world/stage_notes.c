@@ -101,6 +101,25 @@ static void note_of_set(const murk_stage *stage)
     }
 }
 
+/* Prints a note if a weather year states no light of the sky while the sun is
+ * up, because the sky is not dark then. */
+static void note_of_unresolved(const murk_stage *stage)
+{
+    const murk_scene_desc *scene = stage->scene;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        const murk_scene_light *l = &scene->lights[i];
+        if (l->by_weather && l->type == MURK_SOURCE_SKY &&
+            scene->weather.seen.diffuse_w_per_m2 == 0 &&
+            stage->sky[i].elevation_deg > 0) {
+            murk_note(scene->weather.where,
+                      "states a diffuse irradiance of 0 while the sun is up: "
+                      "the sky has the light of twilight, at most %g W/m2",
+                      MURK_WEATHER_RESOLVED_W_PER_M2);
+            return;
+        }
+    }
+}
+
 /* Prints a note for each portal of a source with power that no light of this
  * source passes, because the portal faces away from the light. */
 static void note_of_portals(const murk_stage *stage)
@@ -190,6 +209,7 @@ void murk_stage_warn(const murk_stage *stage)
     murk_warn_of_materials(stage);
     warn_of_lit_sides(stage);
     note_of_set(stage);
+    note_of_unresolved(stage);
     warn_of_winds(stage->scene);
     note_of_portals(stage);
     note_of_dark(stage);

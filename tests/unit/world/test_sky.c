@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #define HEAD                                                    \
     "murk: 1\nband_edges_nm: [400, 500, 600, 700]\n"            \
@@ -188,6 +189,42 @@ static void test_bands_beyond_the_spectrum(void)
     }
 }
 
+/* Dawn by a weather year whose hours state a diffuse irradiance of 0 up to
+ * 05:00, while the sun rises before 04:30: the sky never grows darker, and has
+ * at most .5 W/m2 (the file states whole ones), which it reaches. */
+static void test_dawn_by_weather(void)
+{
+    char folder[2048], epw[2200];
+    double before = 0, elevation_deg = -90;
+    CHECK(getcwd(folder, sizeof folder) != NULL);
+    snprintf(epw, sizeof epw, "weather.epw=%s/scenes/weather/june.epw", folder);
+    /* Every five minutes from 03:00 to 04:55. */
+    for (int minute = 180; minute < 300; minute += 5) {
+        char time[64];
+        snprintf(time, sizeof time, "site.time=2025-06-02T%02d:%02d:00+01:00",
+                 minute / 60, minute % 60);
+        const char *const set[] = {epw, time, NULL};
+        murk_stage *stage =
+            stage_text_create("murk: 1\nband_edges_nm: [300, 4000]\n"
+                              "domain: {min_m: [0, 0, 0], max_m: [1, 1, 1]}\n"
+                              "weather: {epw: june.epw}\n"
+                              "site: {time: 2025-06-02T03:00:00+01:00}\n"
+                              "lights: [{type: sky}]\n",
+                              set);
+        CHECK(stage && stage->scene->weather.seen.diffuse_w_per_m2 == 0);
+        if (stage) {
+            const double irradiance = stage->sky[0].irradiance_w_per_m2;
+            elevation_deg = stage->sky[0].elevation_deg;
+            CHECK(irradiance >= before);
+            CHECK(irradiance > 0 && irradiance <= .5);
+            before = irradiance;
+        }
+        stage_text_destroy(stage);
+    }
+    CHECK(elevation_deg > 1);
+    CHECK_NEAR(before, .5, .001);
+}
+
 int main(void)
 {
     test_noon();
@@ -196,6 +233,7 @@ int main(void)
     test_cover();
     test_given_irradiance();
     test_schedules();
+    test_dawn_by_weather();
     test_bands_beyond_the_spectrum();
     return check_done();
 }
