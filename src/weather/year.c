@@ -20,11 +20,13 @@
         */
 #define HEADER_MAX   64 /* lines; the dictionary has 8 */
 #define HOUR_MIN     60
-#define UNLIMITED_KM 777.7  /* an unlimited visibility */
-#define MISSING_KM   9999.0 /* and all above, as some converters write */
-#define DAY_MIN      (24 * HOUR_MIN)
-#define MINUTE_S     60.0
-#define DAY_S        86400.0
+#define UNLIMITED_KM 777.7 /* an unlimited visibility */
+#define OFFSET_W_PER_M2                                                       \
+    (-7.0) /* reading of a pyranometer of class A by the thermal radiation of \
+            * the night sky (ISO 9060:2018, zero offset a) */
+#define DAY_MIN  (24 * HOUR_MIN)
+#define MINUTE_S 60.0
+#define DAY_S    86400.0
 
 /* Columns of a row, from 0. */
 enum {
@@ -104,13 +106,25 @@ static murk_status read_cells(epw *f, size_t *n)
     return MURK_OK;
 }
 
-/* A column with its name, the range of its values, and the value from which on
- * it is missing. */
+/* A column with its name, the range of its values, and the value that stands
+ * for a missing one. */
 typedef struct column {
     const char *name;
     int cell;
     double min, max, missing;
 } column;
+
+/* True for the number of a missing value, or a larger one of nines alone: other
+ * programs write 99999.9 where the dictionary has 9999. */
+static bool is_missing(const column *c, const char *text, double value)
+{
+    const size_t nines = strspn(text, "9");
+    const char *rest = text + nines;
+    return value == c->missing ||
+           (value > c->missing && nines > 0 &&
+            (*rest == '\0' ||
+             (*rest == '.' && strspn(rest + 1, "09") == strlen(rest + 1))));
+}
 
 /* Reads a number; NAN if the cell is empty or says that it is missing. */
 static murk_status read_number(const epw *f, const column *c, double *out)
@@ -120,7 +134,7 @@ static murk_status read_number(const epw *f, const column *c, double *out)
     char allowed[80];
     *out = NAN;
     if (text[0] == '\0' ||
-        (murk_number_parse(text, &value) && value == c->missing)) {
+        (murk_number_parse(text, &value) && is_missing(c, text, value))) {
         return MURK_OK;
     }
     if (value >= c->min && value <= c->max) {
@@ -254,6 +268,29 @@ static murk_status read_header(epw *f)
 
 /* ---- the weather codes ---- */
 
+/* The nine digits of the weather codes by the dictionary and the TMY2 User's
+ * Manual (Marion and Urban 1995, appendix B): thunderstorm; rain; drizzle,
+ * which 0 to 2 are rain squalls of; snow; snow showers; sleet; fog; haze; ice
+ * pellets. A digit is 9 where there is nothing. */
+enum { RAIN_DIGIT = 1, DRIZZLE_DIGIT = 2, CODE_DIGITS = 9 };
+
+/* What the digits at a place say, as METAR groups of the same meaning. Hail (4
+ * of sleet), glaze (6 of fog) and spray (5 of haze) are no medium. */
+static const struct {
+    size_t place;
+    const char *digits;
+    murk_weather_kind kind;
+} CODE_KINDS[] = {
+    {3, "012345678", MURK_WEATHER_SNOW}, /* also pellets and ice crystals */
+    {4, "01234567", MURK_WEATHER_SNOW},  /* also squalls and grains */
+    {5, "012", MURK_WEATHER_SNOW},       /* ice pellet showers */
+    {6, "012578", MURK_WEATHER_FOG},     /* also ice fog and ground fog */
+    {6, "34", MURK_WEATHER_HAZE},        /* blowing dust, blowing sand */
+    {7, "012367", MURK_WEATHER_HAZE},    /* smoke, haze, dust, ash */
+    {7, "4", MURK_WEATHER_SNOW},         /* blowing snow */
+    {8, "012", MURK_WEATHER_SNOW},       /* ice pellets */
+};
+
 /* The rate of rain by a digit of the codes: 0, 1, 2 are light, moderate and
  * heavy, 3 to 5 and 6 to 8 the same of other kinds, 9 is none. */
 static double rain_of_digit(char digit, bool is_drizzle)
@@ -261,36 +298,27 @@ static double rain_of_digit(char digit, bool is_drizzle)
     return digit == '9' ? 0 : murk_rain_of_class(is_drizzle, (digit - '0') % 3);
 }
 
-/* The nine digits of the weather codes, each of which is 9 where there is
- * nothing; they count if the column before them is 0, and are missing if they
- * are not nine digits. Digits (TMY2 User's Manual, Marion and Urban 1995, table
- * A-1): rain; drizzle, which 0 to 2 are rain squalls of; snow, snow showers,
- * sleet, fog, haze. */
+/* Takes the codes. They count if the column before them is 0, and are missing
+ * if they are not nine digits. */
 static void take_codes(const epw *f, murk_observation *seen, double observed)
 {
-    enum { RAIN_AT = 1, DRIZZLE_AT, SNOW_AT, SHOWERS_AT, SLEET_AT, FOG_AT };
-    enum { HAZE_AT = FOG_AT + 1, DIGITS = 9 };
     const char *code = f->cell[CODES];
-    if (!(observed == 0) || strlen(code) != DIGITS ||
-        strspn(code, "0123456789") != DIGITS) {
+    if (!(observed == 0) || strlen(code) != CODE_DIGITS ||
+        strspn(code, "0123456789") != CODE_DIGITS) {
         return;
     }
-    const bool is_snow = code[SNOW_AT] != '9' || code[SHOWERS_AT] != '9' ||
-                         code[SLEET_AT] != '9';
-    /* Fog, ice fog and ground fog; 3 and 4 are dust and sand. */
-    const bool is_fog = strchr("0125678", code[FOG_AT]) != NULL;
-    const bool is_haze =
-        code[FOG_AT] == '3' || code[FOG_AT] == '4' || code[HAZE_AT] != '9';
-    seen->kind = is_snow   ? MURK_WEATHER_SNOW
-                 : is_fog  ? MURK_WEATHER_FOG
-                 : is_haze ? MURK_WEATHER_HAZE
-                           : MURK_WEATHER_NONE;
+    for (size_t i = 0; i < sizeof CODE_KINDS / sizeof *CODE_KINDS; ++i) {
+        if (strchr(CODE_KINDS[i].digits, code[CODE_KINDS[i].place]) &&
+            CODE_KINDS[i].kind > seen->kind) {
+            seen->kind = CODE_KINDS[i].kind;
+        }
+    }
     snprintf(seen->weather, sizeof seen->weather, "%s", code);
     /* The class of rain counts where no amount is stated. */
     if (!(seen->rain_mm_per_h > 0)) {
-        seen->rain_mm_per_h =
-            fmax(rain_of_digit(code[RAIN_AT], false),
-                 rain_of_digit(code[DRIZZLE_AT], code[DRIZZLE_AT] > '2'));
+        const char rain = code[RAIN_DIGIT], drizzle = code[DRIZZLE_DIGIT];
+        seen->rain_mm_per_h = fmax(rain_of_digit(rain, false),
+                                   rain_of_digit(drizzle, drizzle > '2'));
         seen->rain_is_by_word = seen->rain_mm_per_h > 0;
     }
 }
@@ -321,21 +349,25 @@ static murk_status read_values(const epw *f, murk_observation *seen)
         column column;
         double *out;
     } all[] = {
-        {{"the temperature", TEMPERATURE, -90, 70, 99.9}, &seen->temperature_c},
-        {{"the dew point", DEW_POINT, -90, 70, 99.9}, &seen->dew_point_c},
+        {{"the temperature", TEMPERATURE, MURK_COLDEST_C, MURK_HOTTEST_C, 99.9},
+         &seen->temperature_c},
+        {{"the dew point", DEW_POINT, MURK_COLDEST_C, MURK_HOTTEST_C, 99.9},
+         &seen->dew_point_c},
         {{"the pressure", PRESSURE, 31000, 120000, 999999}, &pressure_pa},
-        {{"the global irradiance", GLOBAL, 0, 2000, 9999},
+        {{"the global irradiance", GLOBAL, OFFSET_W_PER_M2, 2000, 9999},
          &seen->global_w_per_m2},
-        {{"the direct irradiance", DIRECT, 0, 2000, 9999},
+        {{"the direct irradiance", DIRECT, OFFSET_W_PER_M2, 2000, 9999},
          &seen->direct_w_per_m2},
-        {{"the diffuse irradiance", DIFFUSE, 0, 2000, 9999},
+        {{"the diffuse irradiance", DIFFUSE, OFFSET_W_PER_M2, 2000, 9999},
          &seen->diffuse_w_per_m2},
         {{"the sky cover", SKY_COVER, 0, 10, 99}, &cover_tenths},
-        {{"the visibility", VISIBILITY, 0, 99999, 9999}, &km},
+        {{"the visibility", VISIBILITY, 0, UNLIMITED_KM, 9999}, &km},
         {{"the observation indicator", OBSERVED, 0, 9, 9}, &observed},
         {{"the precipitation", RAIN, 0, 500, 999}, &rain_mm},
         {{"the hours of precipitation", RAIN_HOURS, 0, 24, 99}, &rain_hours},
     };
+    double *const light[] = {&seen->global_w_per_m2, &seen->direct_w_per_m2,
+                             &seen->diffuse_w_per_m2};
     *seen = murk_observation_empty();
     for (size_t i = 0; i < sizeof all / sizeof *all; ++i) {
         const murk_status status = read_number(f, &all[i].column, all[i].out);
@@ -347,12 +379,11 @@ static murk_status read_values(const epw *f, murk_observation *seen)
      * files that leave the column empty in dry hours. */
     seen->pressure_hpa = pressure_pa / 100;
     seen->sky_cover = cover_tenths / 10;
-    if (km > UNLIMITED_KM && km < MISSING_KM) {
-        return fail_cell(f, "the visibility", f->cell[VISIBILITY],
-                         "0..777.7 km, or 9999 where missing");
-    }
-    if (km < MISSING_KM) {
+    if (!isnan(km)) {
         set_visibility(seen, km);
+    }
+    for (size_t i = 0; i < sizeof light / sizeof *light; ++i) {
+        *light[i] = *light[i] < 0 ? 0 : *light[i]; /* not NAN */
     }
     if (rain_mm > 0) {
         seen->rain_mm_per_h = rain_mm / (rain_hours > 0 ? rain_hours : 1);
@@ -395,10 +426,14 @@ static murk_status read_time(const epw *f, murk_weather_row *row)
     const bool is_hourly = interval == HOUR_MIN;
     row->ends_min = hour * HOUR_MIN + (is_hourly ? 0 : minute - HOUR_MIN);
     row->line = (int)f->line;
-    return !status && (row->ends_min % interval != 0 || row->ends_min < 1)
-               ? fail_cell(f, "the minute", f->cell[MINUTE],
-                           "the end of an interval")
-               : status;
+    if (!status && !is_hourly && (minute == 0 || minute % interval != 0)) {
+        char allowed[80];
+        snprintf(allowed, sizeof allowed,
+                 "the end of a row's part of the hour, %d..%d in steps of %d",
+                 interval, HOUR_MIN, interval);
+        return fail_cell(f, "the minute", f->cell[MINUTE], allowed);
+    }
+    return status;
 }
 
 /* The next row, with space in the array. */

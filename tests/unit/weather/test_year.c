@@ -114,7 +114,22 @@ static void test_codes(void)
         {"8,8,9,3,0,949999999", "2,1", MURK_WEATHER_NONE, 2},
         {"8,8,9,3,0,994999999", "999,99", MURK_WEATHER_NONE, .37},
         {"8,8,9,3,0,999099999", "999,99", MURK_WEATHER_SNOW, 0},
-        {"8,8,9,3,0,999999909", "999,99", MURK_WEATHER_HAZE, 0},
+        {"8,8,9,3,0,999999919", "999,99", MURK_WEATHER_HAZE, 0},
+        /* Snow crystals, hail, ice pellets, blowing snow, spray. */
+        {"8,8,9,3,0,999899999", "999,99", MURK_WEATHER_SNOW, 0},
+        {"8,8,9,3,0,999994999", "999,99", MURK_WEATHER_NONE, 0},
+        {"8,8,9,3,0,999991999", "999,99", MURK_WEATHER_SNOW, 0},
+        {"8,8,9,3,0,999999949", "999,99", MURK_WEATHER_SNOW, 0},
+        {"8,8,9,3,0,999999959", "999,99", MURK_WEATHER_NONE, 0},
+        {"8,8,9,3,0,999999991", "999,99", MURK_WEATHER_SNOW, 0},
+        /* Fog, ice fog, dust, sand, heavy fog, glaze, heavy ground fog. */
+        {"8,8,9,3,0,999999099", "999,99", MURK_WEATHER_FOG, 0},
+        {"8,8,9,3,0,999999199", "999,99", MURK_WEATHER_FOG, 0},
+        {"8,8,9,3,0,999999399", "999,99", MURK_WEATHER_HAZE, 0},
+        {"8,8,9,3,0,999999499", "999,99", MURK_WEATHER_HAZE, 0},
+        {"8,8,9,3,0,999999599", "999,99", MURK_WEATHER_FOG, 0},
+        {"8,8,9,3,0,999999699", "999,99", MURK_WEATHER_NONE, 0},
+        {"8,8,9,3,0,999999899", "999,99", MURK_WEATHER_FOG, 0},
         {"8,8,9,3,0,0", "999,99", MURK_WEATHER_NONE, 0},
         {"8,8,9,3,9,929999999", "999,99", MURK_WEATHER_NONE, 0},
         {"8,8,9,3,9,929999999", "0.5,1", MURK_WEATHER_NONE, .5},
@@ -133,6 +148,25 @@ static void test_codes(void)
                    cases[i].mm_per_h, 1e-12);
         murk_weather_year_release(year);
     }
+}
+
+/* Nines of another number than in the dictionary are missing, too, and the
+ * reading of a pyranometer at night is 0. */
+static void test_other_programs(void)
+{
+    murk_error err = {0};
+    murk_weather_year *year = parse(
+        HEAD PERIODS(1, 1) ROW("1999,1,1,1,0", "99999,9999.9,-2.5",
+                               "99,9,99999.9,3300,9,999999999", "9999,99"),
+        &err);
+    CHECK_TEXT(err.text, "");
+    if (year) {
+        const murk_observation *seen = &year->row[0].seen;
+        CHECK(isnan(seen->global_w_per_m2) && isnan(seen->direct_w_per_m2));
+        CHECK(isnan(seen->visibility_m) && seen->diffuse_w_per_m2 == 0);
+        CHECK(seen->rain_mm_per_h == 0);
+    }
+    free(year);
 }
 
 /* Rows of a quarter of an hour, of two years: that of the same year counts. */
@@ -183,15 +217,20 @@ static void test_refused(void)
          "w.epw:6", "must begin with the first of 01-01"},
         {HEAD PERIODS(1, 1) Q("1999,2,29,1,0"), "w.epw:6",
          "a day of that year"},
-        {HEAD PERIODS(1, 4) Q("1999,1,1,1,0"), "w.epw:6", "the minute is '0'"},
+        {HEAD PERIODS(1, 4) Q("1999,1,1,1,0"), "w.epw:6",
+         "the minute is '0', must be the end of a row's part of the hour, "
+         "15..60 in steps of 15"},
         {HEAD PERIODS(1, 1) Q("1999,1,1,1,0") Q("1998,1,1,2,0"), "w.epw:7",
          "does not follow"},
         {HEAD PERIODS(1, 1) Q("2000,2,28,12,0") Q("2000,3,1,13,0"), "w.epw:7",
          "does not follow"},
         {HEAD PERIODS(1, 1) ROW("1999,1,1,1,0", "5x,0,0", "8,8,9,3,9,9", "9,9"),
          "w.epw:6", "the global irradiance is '5x'"},
-        {HEAD PERIODS(1, 1) ROW("1999,1,1,1,0", "0,-5,0", "8,8,9,3,9,9", "9,9"),
-         "w.epw:6", "the direct irradiance is '-5'"},
+        {HEAD PERIODS(1, 1) ROW("1999,1,1,1,0", "0,-8,0", "8,8,9,3,9,9", "9,9"),
+         "w.epw:6", "the direct irradiance is '-8'"},
+        {HEAD PERIODS(1, 1)
+             ROW("1999,1,1,1,0", "9990,0,0", "8,8,9,3,9,9", "9,9"),
+         "w.epw:6", "the global irradiance is '9990'"},
         {HEAD PERIODS(1, 1)
              ROW("1999,1,1,1,0", "0,0,0", "8,8,900,3,9,9", "9,9"),
          "w.epw:6", "the visibility is '900'"},
@@ -323,6 +362,7 @@ int main(void)
 {
     test_rows();
     test_codes();
+    test_other_programs();
     test_quarters();
     test_refused();
     test_clearness();
