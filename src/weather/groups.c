@@ -78,6 +78,26 @@ int murk_group_number(const char *digits, size_t n)
     return number;
 }
 
+murk_status murk_group_fail(const murk_groups *groups, size_t k,
+                            const char *format, const char *must,
+                            const char *where, murk_error *err)
+{
+    char shown[40];
+    if (groups->n == 0) {
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "an empty %s report, must have %s", format, must);
+    }
+    if (k >= groups->n) {
+        murk_words_show(shown, sizeof shown, groups->group[groups->n - 1]);
+        return murk_fail(err, MURK_BAD_VALUE, where,
+                         "a %s report ends behind '%s', must go on with %s",
+                         format, shown, must);
+    }
+    murk_words_show(shown, sizeof shown, groups->group[k]);
+    return murk_fail(err, MURK_BAD_VALUE, where,
+                     "'%s' in a %s report, must be %s", shown, format, must);
+}
+
 void murk_group_append(char *to, const char *group)
 {
     const size_t length = strlen(to);

@@ -31,6 +31,12 @@ bool murk_group_is(const char *text, const char *pattern);
 /* The number in the first n digits of a text. */
 int murk_group_number(const char *digits, size_t n);
 
+/* Fails with MURK_BAD_VALUE at `where`: the group k is not as it must be, or
+ * the report ends before it. format: METAR or SYNOP. */
+murk_status murk_group_fail(const murk_groups *groups, size_t k,
+                            const char *format, const char *must,
+                            const char *where, murk_error *err);
+
 /* Appends a group to a text of MURK_WEATHER_GROUPS_SIZE bytes, a blank before
  * it; a group that does not fit is left out. */
 void murk_group_append(char *to, const char *group);

@@ -7,12 +7,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/words.h"
-
-#define MILE_M    1609.344 /* statute mile, exactly */
-#define INCH_MM   25.4     /* exactly */
-#define INHG_HPA  33.86389 /* conventional inch of mercury, at 0 degrees C */
-#define HOTTEST_C 70       /* no air is as hot */
+#define MILE_M   1609.344 /* statute mile, exactly */
+#define HOUR_MIN 60       /* minutes of an hour */
+#define INCH_MM  25.4     /* exactly */
+#define INHG_HPA 33.86389 /* conventional inch of mercury, at 0 degrees C */
 
 typedef struct metar {
     murk_groups groups;
@@ -142,7 +140,7 @@ static bool take_weather(metar *m, const char *group)
                                     "SA HZ PY PO SQ FC SS DS";
     const int intensity = group[0] == '-' ? 0 : group[0] == '+' ? 2 : 1;
     const bool is_near = strncmp(group, "VC", 2) == 0;
-    const char *at = group + (is_near ? 2 : intensity != 1);
+    const char *const form = group + (is_near ? 2 : intensity != 1), *at = form;
     bool is_rain = false, is_drizzle = false, is_snow = false, is_fog = false,
          is_haze = false;
     if (strcmp(group, "//") == 0) {
@@ -167,8 +165,8 @@ static bool take_weather(metar *m, const char *group)
     murk_group_append(m->out->weather, group);
     /* Weather in the vicinity is not at the station, and shallow fog and low
      * drifting snow lie below the eyes of the observer. */
-    if (is_near || strncmp(group, "MIFG", 4) == 0 ||
-        strncmp(group, "DR", 2) == 0) {
+    if (is_near || strncmp(form, "MIFG", 4) == 0 ||
+        strncmp(form, "DR", 2) == 0) {
         return true;
     }
     const murk_weather_kind kind = is_snow   ? MURK_WEATHER_SNOW
@@ -232,7 +230,7 @@ static bool read_temperature(const char *text, double *out, size_t *n)
     }
     const int degrees = murk_group_number(digits, 2);
     *out = is_below ? -degrees : degrees;
-    return degrees < HOTTEST_C;
+    return murk_is_of_air(*out);
 }
 
 static bool take_temperatures(metar *m, const char *group)
@@ -304,6 +302,11 @@ static bool is_passed_over(const char *group)
     return is_runway || is_recent || is_sea || murk_group_is(group, "????????");
 }
 
+static void take_tenths(double *out, double temperature_c)
+{
+    *out = murk_is_of_air(temperature_c) ? temperature_c : *out;
+}
+
 /* Remarks of the United States: the rain of the hour in hundredths of an inch
  * (P0013), and temperatures in tenths of a degree (T01780167). */
 static void take_remark(metar *m, const char *group)
@@ -319,8 +322,8 @@ static void take_remark(metar *m, const char *group)
                group[5] < '2') {
         const double t = murk_group_number(group + 2, 3) / 10.0,
                      dew = murk_group_number(group + 6, 3) / 10.0;
-        m->out->temperature_c = group[1] == '1' ? -t : t;
-        m->out->dew_point_c = group[5] == '1' ? -dew : dew;
+        take_tenths(&m->out->temperature_c, group[1] == '1' ? -t : t);
+        take_tenths(&m->out->dew_point_c, group[5] == '1' ? -dew : dew);
     }
 }
 
@@ -350,7 +353,7 @@ static void take_group(metar *m, size_t k)
         take_temperatures(m, group) || take_pressure(m, group) ||
         is_wind(group)) {
         ++m->stated;
-    } else if (!is_passed_over(group) && m->out->unknown[0] == '\0') {
+    } else if (!is_passed_over(group)) {
         murk_group_append(m->out->unknown, group);
     }
 }
@@ -359,10 +362,7 @@ static murk_status fail_form(const murk_groups *groups, size_t k,
                              const char *must, const char *where,
                              murk_error *err)
 {
-    char shown[40];
-    murk_words_show(shown, sizeof shown, groups->group[k]);
-    return murk_fail(err, MURK_BAD_VALUE, where,
-                     "'%s' in a METAR report, must be %s", shown, must);
+    return murk_group_fail(groups, k, "METAR", must, where, err);
 }
 
 murk_status murk_metar_read(murk_observation *out, const char *text,
@@ -394,6 +394,9 @@ murk_status murk_metar_read(murk_observation *out, const char *text,
         return fail_form(&m.groups, k, "day and time, such as 150650Z", where,
                          err);
     }
+    out->day = murk_group_number(group[k], 2);
+    out->minute = HOUR_MIN * murk_group_number(group[k] + 2, 2) +
+                  murk_group_number(group[k] + 4, 2);
     if (strcmp(group[k + 1], "NIL") == 0 || group[k + 1][0] == '\0') {
         return fail_form(&m.groups, k + 1, "an observation", where, err);
     }

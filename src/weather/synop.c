@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/words.h"
+#define HOUR_MIN 60 /* minutes of an hour */
 
 /* The words of section 0 up to the group iRixhVV, by the kind of station: land
  * stations state time and number, ships call sign, time and two groups of
@@ -164,21 +164,32 @@ static void take_rain(synop *s, const char *group)
 
 /* ---- the report ---- */
 
-/* Sign and tenths of a degree: the s of 1sTTT and the digits. */
-static double temperature(const char *sign)
+/* Names a group that is not understood. */
+static void name_unknown(synop *s, const char *group)
 {
-    const double t = murk_group_number(sign + 1, 3) / 10.0;
-    return *sign == '1' ? -t : t;
+    murk_group_append(s->out->unknown, group);
+}
+
+/* Groups 1sTTT and 2sTTT: sign and tenths of a degree. */
+static void take_temperature(synop *s, const char *group, double *out)
+{
+    const double t = murk_group_number(group + 2, 3) / 10.0;
+    const double temperature_c = group[1] == '1' ? -t : t;
+    if (group[1] <= '1' && murk_is_of_air(temperature_c)) {
+        *out = temperature_c;
+    } else {
+        name_unknown(s, group);
+    }
 }
 
 static void take_group(synop *s, const char *group)
 {
     murk_observation *out = s->out;
-    if (murk_group_is(group, "10000") || murk_group_is(group, "11000")) {
-        out->temperature_c = temperature(group + 1);
-    } else if (murk_group_is(group, "20000") || murk_group_is(group, "21000")) {
-        if (group[1] < '2') { /* 29 is a humidity */
-            out->dew_point_c = temperature(group + 1);
+    if (murk_group_is(group, "10000")) {
+        take_temperature(s, group, &out->temperature_c);
+    } else if (murk_group_is(group, "20000")) {
+        if (group[1] != '9') { /* 29 is a humidity */
+            take_temperature(s, group, &out->dew_point_c);
         }
     } else if (murk_group_is(group, "30000")) {
         const int tenths = murk_group_number(group + 1, 4);
@@ -205,8 +216,8 @@ static void read_section(synop *s, size_t k)
     for (; end < s->groups.n && !ends_section(group[end]); ++end) {
         if (murk_group_is(group[end], "?????")) {
             take_group(s, group[end]);
-        } else if (s->out->unknown[0] == '\0') {
-            murk_group_append(s->out->unknown, group[end]);
+        } else {
+            name_unknown(s, group[end]);
         }
     }
     for (; k < end; ++k) {
@@ -219,10 +230,7 @@ static void read_section(synop *s, size_t k)
 static murk_status fail_group(const synop *s, size_t k, const char *must,
                               const char *where, murk_error *err)
 {
-    char shown[40];
-    murk_words_show(shown, sizeof shown, s->groups.group[k]);
-    return murk_fail(err, MURK_BAD_VALUE, where,
-                     "'%s' in a SYNOP report, must be %s", shown, must);
+    return murk_group_fail(&s->groups, k, "SYNOP", must, where, err);
 }
 
 murk_status murk_synop_read(murk_observation *out, const char *text,
@@ -252,6 +260,8 @@ murk_status murk_synop_read(murk_observation *out, const char *text,
         return fail_group(&s, time, "day, hour and unit of wind, such as 15061",
                           where, err);
     }
+    out->day = murk_group_number(group[time], 2);
+    out->minute = HOUR_MIN * murk_group_number(group[time] + 2, 2);
     if (kind == 0 && !murk_group_is(group[2], "00000")) {
         return fail_group(&s, 2, "the number of a station", where, err);
     }

@@ -73,6 +73,8 @@ static void test_weather(void)
         {"+RASN", MURK_WEATHER_SNOW, 15},  {"-SN", MURK_WEATHER_SNOW, 0},
         {"SHSN FG", MURK_WEATHER_SNOW, 0}, {"VCSH", MURK_WEATHER_NONE, 0},
         {"//", MURK_WEATHER_NONE, 0},      {"RERA", MURK_WEATHER_NONE, 0},
+        {"DRSN", MURK_WEATHER_NONE, 0},    {"-DRSN FG", MURK_WEATHER_FOG, 0},
+        {"+DRSN", MURK_WEATHER_NONE, 0},   {"-BLSN", MURK_WEATHER_SNOW, 0},
     };
     /* Each group in a report. */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -116,6 +118,28 @@ static void test_others(void)
     CHECK_TEXT(metar("EGHI 150650Z 06001KT 9999 QFE99 11/10").unknown, "QFE99");
 }
 
+/* All groups that are not known are named; day and time are of the report;
+ * temperatures that no air has are not known. */
+static void test_named(void)
+{
+    murk_observation got =
+        metar("EGHI 150650Z QFE99 06001KT 0500FG 11/10 RMK T19990000");
+    CHECK_TEXT(got.unknown, "QFE99 0500FG");
+    CHECK(isnan(got.visibility_m));
+    CHECK_NEAR(got.temperature_c, 11, 0);
+    CHECK(got.day == 15 && got.minute == 6 * 60 + 50);
+    got = metar("EGHI 150650Z 06001KT 9999 99/10");
+    CHECK_TEXT(got.unknown, "99/10");
+    CHECK_NEAR(metar("EGHI 150650Z 9999 M85/M90").temperature_c, -85, 0);
+    got = synop("AAXX 15061 10384 11465 80302 11999 21899 74544");
+    CHECK_TEXT(got.unknown, "11999");
+    CHECK(isnan(got.temperature_c));
+    CHECK_NEAR(got.dew_point_c, -89.9, 1e-9);
+    CHECK(got.day == 15 && got.minute == 6 * 60);
+    CHECK_TEXT(synop("AAXX 15061 10384 11465 80302 10711 29085").unknown,
+               "10711");
+}
+
 static void test_synop(void)
 {
     murk_observation got =
@@ -154,7 +178,7 @@ static void test_refused(void)
         bool is_synop;
         const char *text, *part; /* of the message */
     } cases[] = {
-        {false, "", "station"},
+        {false, "", "an empty METAR report, must have a station"},
         {false, "hello", "capital letters"},
         {false, "EGHI 150650Z 9999 mist", "'mist' in a weather report"},
         {false, "EGHI", "day and time"},
@@ -165,7 +189,10 @@ static void test_refused(void)
         {false, "EGHI 150650Z 9999=EGHI 150750Z 0100 FG=", "one report"},
         {true, "AAXX 15061 10384 80302 10052 74544", "visibility"},
         {true, "AAXX 15061 10384 10/05 80302 10052", "visibility"},
-        {false, "EGHI 150650Z", "observation"},
+        {false, "EGHI 150650Z",
+         "ends behind '150650Z', must go on with an obs"},
+        {true, "AAXX 15061 10384 11/05",
+         "a SYNOP report ends behind '11/05', must go on with cloud cover"},
         {false, "TAF EGHI 150650Z 9999", "station"},
         {true, "ZZXX 15061", "AAXX"},
         {true, "AAXX 15061 10384 NIL", "observation"},
@@ -191,6 +218,7 @@ int main(void)
     test_visibility();
     test_weather();
     test_others();
+    test_named();
     test_synop();
     test_refused();
     return check_done();
