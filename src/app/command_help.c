@@ -45,7 +45,7 @@ static void print_row(const murk_fields *f, const char *path, const char *said)
     snprintf(label, sizeof label,
              "of          a %s: ", murk_field_text(f, "of"));
     print_list(f, label, list);
-    /* Values, unit and default. */
+    /* Values, unit and default, with the other keys of the group. */
     murk_print("value       %s\n", murk_field_text(f, "%s.value", path));
     const char *unit = murk_field_text(f, "%s.unit", path);
     const char *preset = murk_field_text(f, "%s.default", path);
@@ -53,14 +53,17 @@ static void print_row(const murk_fields *f, const char *path, const char *said)
     if (unit) {
         murk_print("unit        %s\n", unit);
     }
-    murk_print("default     %s\n", preset ? preset
-                                   : is_true(f, path, "required")
-                                       ? "none; required"
-                                   : stated ? stated
-                                            : "none; may be left out");
-    /* Other keys of the group, and the meaning. */
+    const bool is_needed = is_true(f, path, "required");
     snprintf(list, sizeof list, "%s.in_place_of", path);
-    print_list(f, "in place of ", list);
+    if (is_needed && !preset && murk_field_length(f, "%s", list) > 0) {
+        print_list(f, "default     none; required is this or one of ", list);
+    } else {
+        murk_print("default     %s\n", preset      ? preset
+                                       : is_needed ? "none; required"
+                                       : stated    ? stated
+                                                   : "none; may be left out");
+        print_list(f, "in place of ", list);
+    }
     const char *meaning = murk_field_text(f, "%s.meaning", path);
     if (meaning && (!said || strcmp(meaning, said) != 0)) {
         murk_print("meaning     %s\n", meaning);
@@ -94,6 +97,19 @@ static bool is_repeated(const murk_fields *f, size_t i)
     return is_same;
 }
 
+/* Ends the line of a key: if the key or another must be given, names the
+ * others. */
+static void print_others(const murk_fields *f, const char *path)
+{
+    char list[MURK_FIELD_PATH_SIZE];
+    snprintf(list, sizeof list, "%s.in_place_of", path);
+    if (is_true(f, path, "required") && murk_field_length(f, "%s", list) > 0) {
+        print_list(f, " is this or one of ", list);
+    } else {
+        murk_print("\n");
+    }
+}
+
 /* Prints the keys of a map, with values, defaults and meanings. */
 static void print_map(const murk_fields *f)
 {
@@ -111,14 +127,13 @@ static void print_map(const murk_fields *f)
         snprintf(path, sizeof path, "keys.%zu", i);
         const char *preset = murk_field_text(f, "%s.default", path);
         const char *meaning = murk_field_text(f, "%s.meaning", path);
-        murk_print("  %s: %s%s%s\n", murk_field_text(f, "%s.name", path),
+        murk_print("  %s: %s%s%s", murk_field_text(f, "%s.name", path),
                    murk_field_text(f, "%s.value", path),
-                   preset                          ? "; default "
-                   : !is_true(f, path, "required") ? ""
-                   : is_true(f, path, "of_group")
-                       ? "; one of a group is required"
-                       : "; required",
+                   preset                         ? "; default "
+                   : is_true(f, path, "required") ? "; required"
+                                                  : "",
                    preset ? preset : "");
+        print_others(f, path);
         murk_print("      %s\n", meaning ? meaning : "");
     }
 }

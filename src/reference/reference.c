@@ -166,25 +166,81 @@ static const char *find_text(const murk_keys *table)
     return NULL;
 }
 
+static bool begins_with(const char *text, const char *end, const char *word)
+{
+    const size_t length = strlen(word);
+    return (size_t)(end - text) >= length && strncmp(text, word, length) == 0;
+}
+
+/* Prints a link, [TEXT](PAGE#PART), as plain text: "below" becomes the part of
+ * the reference, others their text. Returns the end of the link, or NULL if
+ * there is none at `at`. */
+static const char *print_link(FILE *out, const char *at, const char *end)
+{
+    const char *middle = *at == '[' ? strstr(at, "](") : NULL;
+    const char *close = middle ? strchr(middle, ')') : NULL;
+    if (!close || close >= end || memchr(at + 1, '[', (size_t)(middle - at))) {
+        return NULL;
+    }
+    const char *part = memchr(middle, '#', (size_t)(close - middle));
+    if (!begins_with(at, end, "[below]") || !part) {
+        for (++at; at < middle; ++at) {
+            if (*at != '`') {
+                fputc(*at, out);
+            }
+        }
+        return close + 1;
+    }
+    fputs("the reference", out);
+    /* The part is the heading in small letters, - for blanks; that of keys is
+     * printed by the help itself. */
+    if (!begins_with(++part, close, "keys-of-")) {
+        fputs(", \"", out);
+        for (; part < close; ++part) {
+            fputc(*part == '-' ? ' ' : *part, out);
+        }
+        fputc('"', out);
+    }
+    return close + 1;
+}
+
 /* Copies text without marks of Markdown, and with single blanks. */
 static char *plain(const char *text, size_t length)
 {
-    char *copy = malloc(length + 1);
-    size_t n = 0;
-    for (size_t i = 0; copy && i < length; ++i) {
-        const bool is_mark =
-            text[i] == '`' ||
-            (text[i] == '\\' && i + 1 < length && text[i + 1] == '|');
-        const bool is_blank = isspace((unsigned char)text[i]);
-        if (!is_mark && !(is_blank && (n == 0 || copy[n - 1] == ' '))) {
-            copy[n++] = is_blank ? ' ' : text[i];
+    const char *end = text + length;
+    char *copy = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&copy, &size);
+    if (!out) {
+        return NULL;
+    }
+    /* A blank is printed before the next word, so there is none at the end. */
+    bool has_text = false, is_behind_blank = false;
+    while (text < end) {
+        if (isspace((unsigned char)*text)) {
+            is_behind_blank = has_text;
+            ++text;
+            continue;
         }
+        if (*text == '`' ||
+            (*text == '\\' && text + 1 < end && text[1] == '|')) {
+            ++text;
+            continue;
+        }
+        if (is_behind_blank) {
+            fputc(' ', out);
+        }
+        const char *behind = print_link(out, text, end);
+        if (!behind) {
+            fputc(*text, out);
+        }
+        text = behind ? behind : text + 1;
+        has_text = true;
+        is_behind_blank = false;
     }
-    while (copy && n > 0 && copy[n - 1] == ' ') {
-        --n;
-    }
-    if (copy) {
-        copy[n] = '\0';
+    if (fclose(out)) {
+        free(copy);
+        copy = NULL;
     }
     return copy;
 }
