@@ -152,7 +152,9 @@ static void print_luminaire(const murk_scene_light *l, size_t number,
     } else {
         const double more = lamp->declared_lumens / lumens - 1;
         murk_print("the file declares %.6g lm", lamp->declared_lumens);
-        if (fabs(more) > AGREES) {
+        if (more >= 1) {
+            murk_print(", %.3g times as much", more + 1);
+        } else if (fabs(more) > AGREES) {
             murk_print(", %.3g %% %s", 100 * fabs(more),
                        more > 0 ? "more" : "less");
         }
@@ -198,11 +200,11 @@ static void print_daylight(const murk_stage *stage, size_t first, size_t n)
         double *sum = l[i].type == MURK_SOURCE_SKY ? &sky : &sun;
         *sum += irradiance_of(stage, first + i);
     }
+    const char *unit = murk_units_of(stage->scene->units).irradiance;
     murk_print("light       %zu..%zu, daylight: sun in %zu places %.4g %s, sky "
-               "in %d patches %.4g in the bands",
-               first, first + n - 1, n - MURK_SKY_PATCHES, sun,
-               murk_units_of(stage->scene->units).irradiance, MURK_SKY_PATCHES,
-               sky);
+               "in %d patches %.4g %s in the bands",
+               first, first + n - 1, n - MURK_SKY_PATCHES, sun, unit,
+               MURK_SKY_PATCHES, sky, unit);
     print_body(l, &stage->sky[first]);
     print_taken(taken_of(stage, first, n));
 }

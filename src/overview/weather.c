@@ -70,8 +70,7 @@ void murk_overview_print_weather(const murk_stage *stage)
     }
     murk_print("\n");
     if (seen->unknown[0]) {
-        murk_print("            group %s is not known and left out\n",
-                   seen->unknown);
+        murk_print("            not known and left out: %s\n", seen->unknown);
     }
 }
 
@@ -104,7 +103,7 @@ void murk_overview_json_weather(cJSON *root, const murk_stage *stage)
     murk_json_number(item, "dew_point_c", seen->dew_point_c);
     murk_json_number(item, "pressure_hpa", seen->pressure_hpa);
     cJSON_AddStringToObject(item, "codes", seen->weather);
-    cJSON_AddStringToObject(item, "unknown_group", seen->unknown);
+    cJSON_AddStringToObject(item, "unknown_groups", seen->unknown);
     if (has_medium(stage->scene)) {
         cJSON_AddStringToObject(item, "preset", murk_weather_preset(seen));
     }

@@ -24,13 +24,16 @@ murk_status murk_place_on_ground(murk_vec3 *out, const murk_stage *stage,
     murk_hit hit;
     if (!murk_surfaces_hit(stage->surfaces, from, murk_vec(0, 0, -1),
                            box->max.z - box->min.z, &hit)) {
+        const murk_table *table = places->table;
+        char *const *cell = &table->cell[row * table->columns];
         char where[MURK_SCENE_WHERE_SIZE];
-        snprintf(where, sizeof where, "%.300s:%d", places->table->path,
-                 places->table->line[row]);
+        snprintf(where, sizeof where, "%.300s:%d", table->path,
+                 table->line[row]);
         return murk_fail(err, MURK_BAD_VALUE, where,
-                         "above_ground_m at x = %.9g, y = %.9g m, where the "
+                         "above_ground_m at %s = %.24s, %s = %.24s, where the "
                          "domain has no ground",
-                         user.x, user.y);
+                         table->name[places->at[0]], cell[places->at[0]],
+                         table->name[places->at[1]], cell[places->at[1]]);
     }
     *out = murk_vec(from.x, from.y, from.z - hit.distance_m + above_m);
     return MURK_OK;

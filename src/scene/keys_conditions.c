@@ -2,6 +2,7 @@
  * in placement. */
 #include "scene/keys_rows.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/words.h"
@@ -20,6 +21,19 @@ static bool is_fixed(const char *path)
         ++key;
     }
     return key->name && !key->may_differ;
+}
+
+/* The names of the top-level keys that conditions may set. */
+static void list_free(char *out, size_t size)
+{
+    size_t n = 0;
+    out[0] = '\0';
+    for (const murk_key *key = murk_scene_keys.key; key->name; ++key) {
+        if (key->may_differ && n < size) {
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "",
+                                  key->name);
+        }
+    }
 }
 
 /* Checks the characters of a name, because names appear in tables and columns
@@ -69,11 +83,13 @@ static murk_status check_condition(murk_key_reader *walk, const murk_yaml *map,
         }
         /* Some keys are the same in all conditions. */
         if (is_fixed(key)) {
+            char list[400];
+            list_free(list, sizeof list);
             return murk_walk_fail_key(
                 walk, map->child[i],
                 "must be the same in all conditions; what may differ lies in "
-                "seed, timeline, materials, geometry, media, regions, lights, "
-                "photons, flight, tallies");
+                "%s",
+                list);
         }
         murk_walk_leave(walk, back);
     }

@@ -242,9 +242,14 @@ static murk_status check_place_and_time(murk_key_reader *walk,
                           : !site->has_longitude ? "longitude_deg"
                           : !site->has_time      ? "time"
                                                  : NULL;
+    const murk_scene_weather *weather = &walk->scene->weather;
     return missing
-               ? murk_walk_fail(walk, map, "misses %s, must be here or in site",
-                                missing)
+               ? murk_walk_fail(
+                     walk, map, "misses %s, must be here or in site%s", missing,
+                     weather->metar   ? " (a METAR states none)"
+                     : weather->synop ? " (of a SYNOP report none is "
+                                        "taken)"
+                                      : "")
                : MURK_OK;
 }
 

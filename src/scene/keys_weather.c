@@ -12,7 +12,8 @@
 #include "scene/keys_rows.h"
 #include "weather/report.h"
 
-#define MINUTES 60 /* of an hour */
+#define MINUTES 60      /* of an hour; seconds of a minute */
+#define DAY_S   86400.0 /* seconds of a day */
 
 /* ---- keys ---- */
 
@@ -176,6 +177,55 @@ murk_status murk_weather_complete_light(murk_key_reader *walk, murk_yaml *map)
                : MURK_OK;
 }
 
+/* Seconds from a time to the nearest one at a day of the month and a minute of
+ * that day, UTC, as reports have them: of the month before, that month, or the
+ * month behind it. */
+static double seconds_to(const murk_observation *seen, double unix_s)
+{
+    const murk_date now = murk_date_of_days(unix_s / DAY_S);
+    double nearest = INFINITY;
+    for (int step = -1; step <= 1; ++step) {
+        const int month = now.month + step;
+        const murk_date date = {now.year + (month > 12) - (month < 1),
+                                month < 1    ? 12
+                                : month > 12 ? 1
+                                             : month,
+                                seen->day};
+        const double days = murk_date_days(date);
+        const double off_s =
+            DAY_S * days + MINUTES * (double)seen->minute - unix_s;
+        /* A month may lack the day. */
+        if (murk_date_of_days(days).day == seen->day) {
+            nearest = fmin(nearest, fabs(off_s));
+        }
+    }
+    return nearest;
+}
+
+/* Warns if a report is of another time than the scene; once, at the first light
+ * that takes it. */
+static void warn_of_time(const murk_scene_desc *scene)
+{
+    const murk_observation *seen = &scene->weather.seen;
+    const double hour_s = 3600;
+    const double unix_s =
+        scene->site.unix_s + (scene->timeline.given ? scene->timeline.at_s : 0);
+    bool is_first = true;
+    for (size_t i = 0; i < scene->n_lights; ++i) {
+        is_first = is_first && !scene->lights[i].by_weather;
+    }
+    if (is_first && seen->day > 0 && scene->site.has_time &&
+        seconds_to(seen, unix_s) > hour_s) {
+        char time[MURK_TIME_SIZE];
+        murk_time_print(time, unix_s, 0);
+        murk_warn(
+            scene->weather.where,
+            "the report is of day %02d of a month, %02d:%02d UTC, and not "
+            "within an hour of the time of the scene, %s",
+            seen->day, seen->minute / MINUTES, seen->minute % MINUTES, time);
+    }
+}
+
 murk_status murk_weather_check_light(murk_key_reader *walk,
                                      const murk_yaml *map)
 {
@@ -188,6 +238,7 @@ murk_status murk_weather_check_light(murk_key_reader *walk,
                                   own[i]);
         }
     }
+    warn_of_time(walk->scene);
     return MURK_OK;
 }
 
@@ -224,9 +275,17 @@ murk_status murk_weather_words(murk_words *words, murk_key_reader *walk,
 {
     const murk_observation *seen = &walk->scene->weather.seen;
     bool has_amount = false;
+    /* Refuse a medium whose amount nobody states; then add amount and rain. */
     for (int i = 0; i < MURK_WORDS; ++i) {
         has_amount =
             has_amount || (words->given[i] && murk_word_rows[i].is_amount);
+    }
+    if (!has_amount && isnan(seen->visibility_m) && seen->unknown[0]) {
+        return murk_walk_fail(walk, map,
+                              "takes the weather, which states no visibility "
+                              "that can be read (not known: %s); must have "
+                              "visibility_m or mor_m",
+                              seen->unknown);
     }
     if (!has_amount && isnan(seen->visibility_m)) {
         return murk_walk_fail(walk, map,

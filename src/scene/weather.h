@@ -24,7 +24,8 @@ murk_status murk_weather_complete_site(murk_key_reader *walk, murk_yaml *map);
 murk_status murk_weather_complete_light(murk_key_reader *walk, murk_yaml *map);
 
 /* Fails with MURK_BAD_VALUE if a light that takes the weather states a time or
- * a place of its own, because the weather is that of the site. */
+ * a place of its own, because the weather is that of the site. Warns if a
+ * report is of another time than the scene. */
 murk_status murk_weather_check_light(murk_key_reader *walk,
                                      const murk_yaml *map);
 

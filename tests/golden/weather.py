@@ -91,12 +91,26 @@ def reports(folder):
     check(near(heavy["media"][0]["extinction_per_m"][0], 1.2924 * 50 ** .6436 / 1000 / (10 * math.log10(math.e))), heavy["media"][0])
     # refusals
     for words, part in ((('weather={metar: "ESUT 112350Z AUTO //// 04/06"}',), "states no visibility"),
+                        (('weather={metar: "ESUT 112350Z 11/2SM 04/06"}',), "that can be read (not known: 11/2SM)"),
                         (('weather={metar: "hello"}',), "weather report"),
+                        (("lights=[{type: sun}]", "band_edges_nm=[400, 700]", 'site.time="2026-05-15T06:50:00Z"'),
+                         "misses latitude_deg, must be here or in site (a METAR states none)"),
                         (('weather={metar: a, synop: b}',), "one of"),
                         (("weather={epw: nowhere.epw}",), "nowhere.epw")):
         sets = [w for word in words for w in ("--set", word)]
         text = run(folder, "check", "fog.yaml", "--set", "conditions={}", "--set", "placement={}", *sets, status=2).stderr
         check(part in text and text.count("\n") == 1, words, text)
+    # light by a report of another time is warned of, air by one is not; day 31 may be of the month before
+    sky = ("--set", "conditions={}", "--set", "placement={}", "--set", "lights=[{type: sky, irradiance_w_per_m2: 1}]", "--set", "regions=[]",
+           "--set", "site.latitude_deg=51", "--set", "site.longitude_deg=-1")
+    for time, metar, warns in (("2026-05-15T06:50:00Z", "EGHI 150650Z", False), ("2026-05-15T08:49:00+01:00", "EGHI 150650Z", False),
+                               ("2026-05-15T07:51:00Z", "EGHI 150650Z", True), ("2026-05-16T06:50:00Z", "EGHI 150650Z", True),
+                               ("2026-06-01T00:10:00Z", "EGHI 312350Z", False), ("2026-05-01T00:10:00Z", "EGHI 312350Z", True),
+                               ("2026-12-31T23:50:00Z", "EGHI 010010Z", False)):
+        text = run(folder, "check", "fog.yaml", *sky, "--set", f"site.time={time}", "--set", f'weather={{metar: "{metar} 9999 11/10"}}').stderr
+        check(("not within an hour of the time of the scene" in text) == warns, time, metar, text)
+    text = run(folder, "check", "fog.yaml", "--set", "site.time=2026-06-01T00:10:00Z").stderr
+    check("an hour" not in text, text)
     plain = REPORTS.replace(REPORTS.split("\n")[3] + "\n", "").split("conditions:")[0]
     (folder / "plain.yaml").write_text(plain)
     check("has none" in run(folder, "check", "plain.yaml", status=2).stderr)
@@ -110,7 +124,8 @@ def hours(folder):
     rows = (folder / "june.epw").read_text().splitlines()
     cells = rows[sky["weather"]["line"] - 1].split(",")
     check(cells[1:4] == ["6", "3", "11"] and sky["weather"]["direct_w_per_m2"] == float(cells[14]), cells, sky["weather"])
-    check("daylight: sun in" in run(folder, "check", "yard.yaml").stdout)
+    text = " ".join(run(folder, "check", "yard.yaml").stdout.split())
+    check("daylight: sun in" in text and " W/m2, sky in 145 patches" in text and " W/m2 in the bands" in text, text)
     run(folder, "study", "study.yaml", "-o", "parts", "--quiet")
     study = json.loads((folder / "parts/study.json").read_text())
     table = list(csv.DictReader(open(folder / "parts/table.csv")))

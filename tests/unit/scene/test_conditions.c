@@ -163,8 +163,8 @@ static void test_refusals(void)
     CHECK_REFUSED(HEAD "fog: {sensors.count: 3}}\n", VALUE,
                   "fog.yaml:7:31: conditions.fog.sensors.count",
                   "must be the same in all conditions; what may differ lies "
-                  "in seed, timeline, materials, geometry, media, regions, "
-                  "lights, photons, flight, tallies");
+                  "in seed, weather, timeline, materials, geometry, media, "
+                  "regions, lights, photons, flight, tallies");
     CHECK_REFUSED(HEAD "'a b': {}}\n", VALUE, "fog.yaml:7:25: conditions.a b",
                   "a name of other characters than letters, digits, - and _");
     CHECK_REFUSED(HEAD "worst: {}}\n", VALUE, "fog.yaml:7:25: conditions.worst",
