@@ -399,6 +399,13 @@ static murk_status choose_meshes(const reading *r, size_t *number)
         if (asked->n_meshes) {
             number[i] = (size_t)n - 1;
         }
+        for (size_t k = 0; k < i; ++k) {
+            if (number[k] == number[i]) {
+                return murk_fail(r->err, MURK_BAD_VALUE, r->where,
+                                 "mesh %zu is there twice, must be named once",
+                                 number[i] + 1);
+            }
+        }
     }
     return MURK_OK;
 }

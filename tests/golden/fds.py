@@ -107,6 +107,8 @@ with tempfile.TemporaryDirectory() as name:
     check((folder / "sense/report.html").stat().st_size > 10000, "--report writes a page")
     refused = run(folder, "fit", "scene.yaml", "--data", "cover.csv", "--free", "media.smoke.time_s", status=2)
     check(refused.stderr.count("\n") == 1 and "time_s" in refused.stderr, "a time is free:", refused.stderr)
+    refused = run(folder, "check", "scene.yaml", "--set", "media.smoke.mesh=[1, 1]", status=2)
+    check("mesh 1 is there twice" in refused.stderr, refused.stderr)
     refused = run(folder, "place", "scene.yaml", "--report", status=2)
     check("needs -o DIR" in refused.stderr, refused.stderr)
     # the same light by delta tracking, which marches here, and in a box around the meshes
