@@ -27,8 +27,16 @@ def run(*words):
     return done
 
 
+def link(found):
+    """The plain text of a link: its own, or for "below" the part of the reference that it leads to."""
+    text, part = found[1], found[2].partition("#")[2]
+    if text != "below" or not part:
+        return text
+    return "the reference" if part.startswith("keys-of-") else 'the reference, "' + part.replace("-", " ") + '"'
+
+
 def words_of(text):
-    return " ".join(text.replace("`", "").split())
+    return " ".join(re.sub(r"\[([^][]*)\]\(([^)]*)\)", link, text).replace("`", "").split())
 
 
 def tables():
@@ -52,6 +60,7 @@ def check_entries():
                 continue
             section = run(*([] if path == "scene" else [path]))
             said = words_of(section.stdout)
+            check("](" not in section.stdout, path, "has a link")
             for i, row in enumerate(rows):
                 n += 1
                 check(row[1] in said, path, "does not list", row[1])
@@ -76,6 +85,7 @@ def check_paths():
     check(run("lights.3.power_w").stdout == run("lights.*.power_w").stdout, "items of lights")
     check(run("place").stdout.startswith("usage: murk place "), "the help of a command")
     check("murk media --help" in run("media").stdout, "media is a command, too")
+    check("required is this or one of metar, synop" in words_of(run("weather.epw").stdout), "the other keys of a group")
     lines = run().stdout.splitlines()
     check(lines[0].startswith("usage: murk ") and any(l.startswith("sensors ") for l in lines), lines)
     for key, says in (("sensors.cuont", "did you mean sensors.count?"),
