@@ -356,8 +356,8 @@ def compare_droplets(folder):
                   f"{keys}: {got}")
             want = preset_of(folder, file, radius_um, variance, bands=bands)
             check(is_like(got, want, 1e-11), f"{file.name}, {keys}: {got}, {want}")
-            # another radius, variance or shape is found
-            for wrong in ((1.001 * radius_um, variance), (radius_um, 1.001 * variance)):
+            # another radius or variance is found; evaluating droplets takes half a second
+            for wrong in ((1.001 * radius_um, variance), (radius_um, 1.001 * variance)) if file is two else ():
                 check(not is_like(got, preset_of(folder, file, *wrong, bands=bands), 1e-11), f"{wrong} is like {radius_um}")
     # what is told on the terminal
     said = " ".join(run_scene(folder, "check", f"netcdf: {two}, {NAMES}").stdout.split())
