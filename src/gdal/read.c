@@ -120,8 +120,12 @@ static const unit units[] = {{"m", 1},
                              {"US survey foot", MURK_US_FOOT_M},
                              {NULL, 0}};
 
+/* Coordinates are in metres if their unit is this close to one: a choice. */
+#define NOT_METRES 1e-6
+
 /* The unit of heights: that of the request, of the band, or of the vertical
- * part of the system; otherwise metres. */
+ * part of the system; otherwise metres, if coordinates are in metres or
+ * degrees. */
 static murk_status find_unit(murk_gdal_file *f, OGRSpatialReferenceH system,
                              murk_error *err)
 {
@@ -154,6 +158,12 @@ static murk_status find_unit(murk_gdal_file *f, OGRSpatialReferenceH system,
     } else if (OSRIsVertical(system)) {
         f->unit_m = OSRGetTargetLinearUnits(system, "VERT_CS", NULL);
         from = "CRS";
+    } else if (OSRIsProjected(system) &&
+               fabs(OSRGetLinearUnits(system, NULL) - 1) > NOT_METRES) {
+        return murk_fail(err, MURK_BAD_FILE, f->request->where,
+                         "has coordinates in units of %.7g m and states no "
+                         "unit of heights: height_unit must be given",
+                         OSRGetLinearUnits(system, NULL));
     }
     if (OSRIsVertical(system)) {
         OGRAxisOrientation up = OAO_Up;

@@ -447,6 +447,7 @@ static void test_refused(void)
         {"LOCAL_CS[\"grid\",UNIT[\"metre\",1]]", 1, 5, NULL,
          "no coordinate reference system", 1},
         {"EPSG:32631", 1, 5, "furlong", "height_unit must be given", 1},
+        {"EPSG:2263", 1, 5, NULL, "in units of 0.3048006 m and states no", 1},
         {"EPSG:32631", 1, 5, NULL, "band is 2, must be 1..1", 2},
         {"EPSG:32631", 1, -3.4e38, NULL, "nodata: -3.39999995e+38", 1},
         {"EPSG:32631", 1, 9001, NULL, "-12000..9000 m; nodata: 9001", 1},
