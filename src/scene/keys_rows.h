@@ -87,11 +87,11 @@
 /* The row of a box that cuts a part out of a file, a double[4] with a flag;
  * murk_check_within() checks the box. The arguments are AT(...), FLAG(...) and
  * further members of the row. */
-#define WITHIN_ROW(...)                                                   \
-    ROW("within_m", NUMBERS,                                              \
-        LIST_ITEMS(ROW("x0", NUMBER, LONG_M), ROW("y0", NUMBER, LONG_M),  \
-                   ROW("x1", NUMBER, LONG_M), ROW("y1", NUMBER, LONG_M)), \
-        .selects_files = true, __VA_ARGS__)
+#define WITHIN_ITEMS                                                 \
+    LIST_ITEMS(ROW("x0", NUMBER, LONG_M), ROW("y0", NUMBER, LONG_M), \
+               ROW("x1", NUMBER, LONG_M), ROW("y1", NUMBER, LONG_M))
+#define WITHIN_ROW(...) \
+    ROW("within_m", NUMBERS, WITHIN_ITEMS, .selects_files = true, __VA_ARGS__)
 
 /* Rows of a struct that has a murk_scene_solid as the member `solid`. The
  * further arguments (group, variants) are added to each row, but not to the
