@@ -19,7 +19,7 @@
 #else
 #define BROKEN_SLOWEST_S 10.0
 #endif
-#define BROKEN_MAX_KB    2000000L
+#define BROKEN_MAX_KB 2000000L
 
 /* The largest amount of memory that this process has held so far. */
 long broken_peak_kb(void);
