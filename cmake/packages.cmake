@@ -57,7 +57,8 @@ libmurk simulates light in fog, smoke, rain and water, and places sensors in
 it. This package contains the shared library.")
 set(CPACK_DEBIAN_MURK_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LIBMURK0_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_MURK_PACKAGE_DEPENDS fonts-dejavu-core) # of the pictures of murk check
+# fonts of the pictures of murk check, and the modules for grids and fits
+set(CPACK_DEBIAN_MURK_PACKAGE_DEPENDS "fonts-dejavu-core, ${murk_same_version}")
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 set(CPACK_DEBIAN_LIBMURK0_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian/triggers)

@@ -187,8 +187,9 @@ typedef enum murk_imports {
                           * limits on memory and time, that can only read; the
                           * program murk-rows, started for each group of rows */
     MURK_IMPORTS_FORK, /* forks of the process, likewise: needs no program, but
-                        * is safe only while the process has one thread and no
-                        * world, so not with murk_follow_next() */
+                        * the module murk-openvdb.so for grids; is safe only
+                        * while the process has one thread and no world, so not
+                        * with murk_follow_next() */
     MURK_IMPORTS_IN_PROCESS /* the process itself, without limits: for files
                              * that are trusted; a malformed file may end the
                              * process, and so does a row that crashes or takes
@@ -212,8 +213,9 @@ typedef struct murk_context_options {
     void *user;                      /* passed to both */
     murk_imports imports;
     const char *reader; /* path of murk-reader; NULL: libmurk0/murk-reader in
-                         * the folder of the library; copied; murk-rows lies in
-                         * the same folder */
+                         * the folder of the library; copied; murk-rows and the
+                         * modules murk-openvdb.so and murk-ceres.so lie in the
+                         * same folder */
     murk_progress_mode line;   /* not with `progress` */
     const char *const *inputs; /* [n_inputs] files that the caller reads: no
                                 * call replaces one of them */

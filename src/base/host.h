@@ -51,8 +51,9 @@ typedef struct murk_host {
     const char *version; /* of the library, with the commit; NULL: that of the
                           * header alone */
     murk_importing importing;
-    const char *reader; /* path of the program murk-reader, beside which
-                         * murk-rows lies; NULL: those beside the library */
+    const char *reader; /* path of the program murk-reader, beside which the
+                         * other programs and the modules lie; NULL: those
+                         * beside the library */
     const struct murk_memory_files *files; /* of paths "memory:NAME", or NULL:
                                             * base/memory_files.h */
 } murk_host;

@@ -1,4 +1,5 @@
-/* Finds and starts murk-reader and murk-rows. A process with threads may only
+/* Finds the files beside the library, starts programs and loads modules. A
+ * process with threads may only
  * call exec after a fork; posix_spawn() of the C library does both without
  * copying the process. The request is a file in memory, so nothing waits for
  * the program and no signal comes when the program ends early. */
@@ -12,6 +13,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,14 +29,16 @@ extern char **environ;
  * overwrites neither. */
 #define MIN_FD (MURK_PROGRAM_ANSWER + 1)
 
-/* The folders of the programs, seen from the folder of the library: beside it,
- * and from the folder of programs of an installation. */
-static const char *const places[] = {MURK_PROGRAMS_FOLDER, MURK_FROM_PROGRAMS
-                                     "/" MURK_PROGRAMS_FOLDER};
+/* The folders of programs and modules, seen from the folder of the library:
+ * beside it; from the folder of programs of an installation; and the folder
+ * itself, for a program that lies there. */
+static const char *const places[] = {
+    MURK_PROGRAMS_FOLDER, MURK_FROM_PROGRAMS "/" MURK_PROGRAMS_FOLDER, "."};
 
-/* The path of a program in path[PATH_MAX]. False if there is none; path is then
- * the first place where it could be. */
-static bool find(char path[PATH_MAX], const char *name)
+/* The path of a program or a module in path[PATH_MAX], to which access() grants
+ * `mode`. False if there is none; path is then the first place where it could
+ * be. */
+static bool find(char path[PATH_MAX], const char *name, int mode)
 {
     const char *reader = murk_host_now()->reader;
     Dl_info library;
@@ -47,7 +51,7 @@ static bool find(char path[PATH_MAX], const char *name)
         } else {
             snprintf(path, PATH_MAX, "%.*s%s", folder, reader, name);
         }
-        return access(path, X_OK) == 0;
+        return access(path, mode) == 0;
     }
     /* The file that this code is in: the library, or a program. */
     snprintf(path, PATH_MAX, "%s", name);
@@ -60,7 +64,7 @@ static bool find(char path[PATH_MAX], const char *name)
     for (size_t i = 0; i < sizeof places / sizeof *places; ++i) {
         if (snprintf(path, PATH_MAX, "%s/%s/%s", file, places[i], name) <
                 PATH_MAX &&
-            access(path, X_OK) == 0) {
+            access(path, mode) == 0) {
             return true;
         }
         if (i == 0) {
@@ -74,12 +78,39 @@ static bool find(char path[PATH_MAX], const char *name)
 murk_status murk_program_find(char path[PATH_MAX], const char *name,
                               const char *where, murk_error *err)
 {
-    return find(path, name)
+    return find(path, name, X_OK)
                ? MURK_OK
                : murk_fail(err, MURK_RUN_FAILED, where,
                            "the program %s is not there; must lie beside the "
                            "library, or in the folder of options->reader",
                            path);
+}
+
+const void *murk_module_load(murk_module *module, const char *where,
+                             murk_error *err)
+{
+    char path[PATH_MAX];
+    const void *object = atomic_load(&module->loaded);
+    if (object) {
+        return object;
+    }
+    if (!find(path, module->file, R_OK)) {
+        murk_fail(err, MURK_RUN_FAILED, where,
+                  "the module %s is not there; must lie beside the library, or "
+                  "in the folder of options->reader",
+                  path);
+        return NULL;
+    }
+    /* Threads that load at the same time find the same object. */
+    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    object = library ? dlsym(library, module->symbol) : NULL;
+    if (!object) {
+        const char *reason = dlerror();
+        murk_fail(err, MURK_RUN_FAILED, where, "cannot load a module: %s",
+                  reason ? reason : path);
+    }
+    atomic_store(&module->loaded, object);
+    return object;
 }
 
 /* A file in memory with the request; -1 on failure. */

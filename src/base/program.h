@@ -1,8 +1,14 @@
-/* Starts the programs that work for hosts with threads: murk-reader, which
- * reads untrusted files (base/subprocess.h), and murk-rows, which runs rows of
- * studies (base/isolated.h). They lie in the folder libmurk0 beside the
- * library, or beside the program that contains the library's code. If the host
- * names murk-reader, both lie in the folder of that file. */
+/* The files beside the library: programs that work for hosts with threads, and
+ * modules, which are parts of the library that few runs need.
+ *
+ * The programs are murk-reader, which reads untrusted files
+ * (base/subprocess.h), and murk-rows, which runs rows of studies
+ * (base/isolated.h). The modules bring large libraries with them, which would
+ * take most of the time that every other run needs to start.
+ *
+ * All lie in the folder libmurk0 beside the library, or beside the program that
+ * contains the library's code; that program may lie in libmurk0 itself. If the
+ * host names murk-reader, all lie in the folder of that file. */
 #ifndef MURK_BASE_PROGRAM_H
 #define MURK_BASE_PROGRAM_H
 
@@ -23,6 +29,19 @@
  * `where` if there is no such program. */
 murk_status murk_program_find(char path[PATH_MAX], const char *name,
                               const char *where, murk_error *err);
+
+/* A module: its file, the object in it that murk uses, and the address of that
+ * object, NULL until the module is loaded. */
+typedef struct murk_module {
+    const char *file, *symbol;
+    const void *_Atomic loaded;
+} murk_module;
+
+/* Loads a module, which stays loaded, unless that has been done. Any thread may
+ * call it. Returns `loaded`, or NULL with MURK_RUN_FAILED in *err at `where` if
+ * the file is not there or lacks a library. */
+const void *murk_module_load(murk_module *module, const char *where,
+                             murk_error *err);
 
 /* Starts a program by posix_spawn(). *fd: the reading end of the answer, and
  * *pid: the process, both the caller's. Fails with MURK_RUN_FAILED at

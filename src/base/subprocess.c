@@ -173,8 +173,9 @@ static bool send_inputs(int fd)
     return sent;
 }
 
-static _Noreturn void run_and_exit(int fd, murk_subprocess_work work,
-                                   void *context,
+/* Does the work, unless `prepared` tells of a failure before. */
+static _Noreturn void run_and_exit(int fd, const murk_error *prepared,
+                                   murk_subprocess_work work, void *context,
                                    const murk_subprocess_limits *limits)
 {
     const int sink = open("/dev/null", O_WRONLY);
@@ -196,8 +197,9 @@ static _Noreturn void run_and_exit(int fd, murk_subprocess_work work,
         _exit(1);
     }
     murk_subprocess process = {.fd = fd};
-    murk_error err = {0};
-    const murk_status status = work(&process, context, &err);
+    murk_error err = *prepared;
+    const murk_status status =
+        err.code ? err.code : work(&process, context, &err);
     const bool sent =
         send_inputs(fd) && murk_pipe_send(fd, END, status, &err, sizeof err);
     _exit(sent ? 0 : 1); /* no atexit handlers: the file may have damaged their
@@ -375,8 +377,9 @@ murk_status murk_subprocess_run(unsigned char **out, size_t *size,
     }
     /* Subprocess: parse and exit. */
     if (pid == 0) {
+        const murk_error none = {0};
         close(ends[0]);
-        run_and_exit(ends[1], work, context, limits);
+        run_and_exit(ends[1], &none, work, context, limits);
     }
     close(ends[1]);
     return take_result(ends[0], pid, out, size, limits, where, err);
@@ -436,16 +439,18 @@ murk_status murk_subprocess_do(unsigned char **out, size_t *size,
                    ? murk_fail(err, MURK_UNSUPPORTED, where, "%s", job->needs)
                    : start(out, size, job, context, limits, where, err);
     }
-    switch (murk_host_now()->importing) {
-    case MURK_IMPORT_STARTS:
+    if (murk_host_now()->importing == MURK_IMPORT_STARTS) {
         return start(out, size, job, context, limits, where, err);
-    case MURK_IMPORT_IN_PROCESS:
-        return do_here(out, size, job, context, err);
-    case MURK_IMPORT_FORKS:
-        break;
     }
-    return murk_subprocess_run(out, size, job->work, context, limits, where,
-                               err);
+    const murk_status prepared =
+        job->prepare ? job->prepare(where, err) : MURK_OK;
+    if (prepared) {
+        return prepared;
+    }
+    return murk_host_now()->importing == MURK_IMPORT_IN_PROCESS
+               ? do_here(out, size, job, context, err)
+               : murk_subprocess_run(out, size, job->work, context, limits,
+                                     where, err);
 }
 
 /* ---- murk-reader ---- */
@@ -480,7 +485,11 @@ _Noreturn void murk_subprocess_serve(murk_parcel *request, int fd,
     if (!packed.job || !limits) {
         _exit(1);
     }
+    murk_error prepared = {0};
+    if (packed.job->prepare) {
+        packed.job->prepare("", &prepared);
+    }
     murk_host_now()->importing = MURK_IMPORT_STARTS;
     murk_inputs_begin();
-    run_and_exit(fd, work_packed, &packed, limits);
+    run_and_exit(fd, &prepared, work_packed, &packed, limits);
 }

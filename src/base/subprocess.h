@@ -30,9 +30,13 @@ murk_status murk_subprocess_send(murk_subprocess *process, const void *bytes,
 
 /* A kind of work, which murk-reader finds by the name. pack() puts all that
  * work() needs of the context into a parcel, and work_packed() calls work()
- * with a context that it takes from there. */
+ * with a context that it takes from there. prepare(), unless it is NULL, loads
+ * what work() needs of other libraries, and is called before, in a process
+ * without limits: the process that is forked, so that it loads once for all
+ * files, or murk-reader. It fails at `where`. */
 typedef struct murk_subprocess_job {
     const char *name;
+    murk_status (*prepare)(const char *where, murk_error *err);
     murk_subprocess_work work;
     void (*pack)(murk_parcel *to, const void *context);
     murk_status (*work_packed)(murk_subprocess *process, murk_parcel *from,

@@ -138,8 +138,10 @@ static murk_status split(double *singular, double *direction, size_t *rank,
                          const double *jacobian, size_t rows, size_t n,
                          murk_error *err)
 {
+    const murk_ceres *ceres = murk_ceres_load(err);
     const murk_status status =
-        murk_eigen_singular(singular, direction, jacobian, rows, n, err);
+        ceres ? ceres->singular(singular, direction, jacobian, rows, n, err)
+              : MURK_RUN_FAILED;
     *rank = 0;
     while (!status && *rank < n && singular[*rank] > NOTHING * singular[0]) {
         ++*rank;
@@ -234,6 +236,10 @@ static murk_status find_axes(axes *out, const murk_slope_noise *noise,
     if (arena->is_short) {
         return no_memory(err);
     }
+    const murk_ceres *ceres = murk_ceres_load(err);
+    if (!ceres) {
+        return MURK_RUN_FAILED;
+    }
     /* Information, then noise relative to it. */
     murk_status status = split(out->singular, out->direction, &out->rank,
                                jacobian, rows, n, err);
@@ -241,8 +247,8 @@ static murk_status find_axes(axes *out, const murk_slope_noise *noise,
         in_own_scale(scaled, noise->noise, out->singular, out->direction,
                      out->rank, n);
         status = are_finite(scaled, out->rank * out->rank)
-                     ? murk_eigen_singular(out->part, out->axis, scaled,
-                                           out->rank, out->rank, err)
+                     ? ceres->singular(out->part, out->axis, scaled, out->rank,
+                                       out->rank, err)
                      : murk_fail(err, MURK_RUN_FAILED, "fit",
                                  "the noise of slopes is not finite: start "
                                  "nearer to what was measured");

@@ -1,7 +1,7 @@
 // Minimises with the Levenberg-Marquardt method of Ceres, and factorises
-// matrices with Eigen, behind a C interface (fit/ceres_bridge.h). Ceres sees
-// each row as a residual block of its own, so that the loss acts on each row,
-// while all rows are evaluated by one call.
+// matrices with Eigen, behind a C interface (fit/ceres_bridge.h): a module.
+// Ceres sees each row as a residual block of its own, so that the loss acts on
+// each row, while all rows are evaluated by one call.
 extern "C" {
 #include "fit/ceres_bridge.h"
 }
@@ -267,18 +267,14 @@ template <typename Work> murk_status guard(murk_error *err, Work work)
     }
 }
 
-} // namespace
-
-extern "C" murk_status murk_ceres_minimise(murk_ceres_found *found, double *x,
-                                           const bool *is_held,
-                                           const murk_least_squares *problem,
-                                           murk_error *err)
+murk_status minimise_once(murk_ceres_found *found, double *x,
+                          const bool *is_held,
+                          const murk_least_squares *problem, murk_error *err)
 {
     return guard(err, [&] { minimise(found, x, is_held, *problem); });
 }
 
-extern "C" murk_status murk_eigen_cholesky(double *a, size_t n,
-                                           bool *is_positive, murk_error *err)
+murk_status factorise(double *a, size_t n, bool *is_positive, murk_error *err)
 {
     return guard(err, [&] {
         const auto size = static_cast<Eigen::Index>(n);
@@ -288,9 +284,8 @@ extern "C" murk_status murk_eigen_cholesky(double *a, size_t n,
     });
 }
 
-extern "C" murk_status murk_eigen_singular(double *singular, double *direction,
-                                           const double *a, size_t rows,
-                                           size_t n, murk_error *err)
+murk_status decompose(double *singular, double *direction, const double *a,
+                      size_t rows, size_t n, murk_error *err)
 {
     return guard(err, [&] {
         const auto columns = static_cast<Eigen::Index>(n);
@@ -311,3 +306,7 @@ extern "C" murk_status murk_eigen_singular(double *singular, double *direction,
         }
     });
 }
+
+} // namespace
+
+const murk_ceres murk_ceres_functions = {minimise_once, factorise, decompose};

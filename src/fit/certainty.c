@@ -90,9 +90,13 @@ static murk_status scaled_create(scaled *s, const double *jacobian, size_t rows,
             s->jacobian[i * s->n + k] = jacobian[i * n + j] * scale[j];
         }
     }
-    return s->n ? murk_eigen_singular(s->singular, s->direction, s->jacobian,
-                                      rows, s->n, err)
-                : MURK_OK;
+    if (!s->n) {
+        return MURK_OK;
+    }
+    const murk_ceres *ceres = murk_ceres_load(err);
+    return ceres ? ceres->singular(s->singular, s->direction, s->jacobian, rows,
+                                   s->n, err)
+                 : MURK_RUN_FAILED;
 }
 
 /* Singular values up to this one count as rounding errors. */

@@ -285,9 +285,13 @@ static murk_status search_on(murk_least_squares_found *found, search *s,
         s->is_refused = false;
         memcpy(x, s->best.x, run.n * sizeof *x);
         murk_ceres_found of_pass;
+        const murk_ceres *ceres = murk_ceres_load(err);
+        if (!ceres) {
+            return MURK_RUN_FAILED;
+        }
         void *locale = murk_c_locale_enter(); /* Ceres prints numbers */
         const murk_status status =
-            murk_ceres_minimise(&of_pass, x, s->is_held, &run, err);
+            ceres->minimise(&of_pass, x, s->is_held, &run, err);
         murk_c_locale_leave(locale);
         if (status) {
             return status;

@@ -95,8 +95,10 @@ static murk_status factorise(choice *c, size_t picks, murk_error *err)
         }
     }
     bool is_positive;
+    const murk_ceres *ceres = murk_ceres_load(err);
     const murk_status status =
-        murk_eigen_cholesky(c->lower, n, &is_positive, err);
+        ceres ? ceres->cholesky(c->lower, n, &is_positive, err)
+              : MURK_RUN_FAILED;
     if (!status && !is_positive) {
         return murk_fail(err, MURK_RUN_FAILED, "fit",
                          "the information about %zu parameters is not positive "

@@ -58,7 +58,9 @@ murk_status murk_whitening_create(murk_whitening **out,
     whitening->rows = rows;
     memcpy(whitening->lower, covariance, cells * sizeof(double));
     bool is_positive;
-    status = murk_eigen_cholesky(whitening->lower, rows, &is_positive, err);
+    const murk_ceres *ceres = murk_ceres_load(err);
+    status = ceres ? ceres->cholesky(whitening->lower, rows, &is_positive, err)
+                   : MURK_RUN_FAILED;
     if (status) {
         goto done;
     }

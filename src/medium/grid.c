@@ -84,11 +84,11 @@ static murk_status read_in_subprocess(murk_subprocess *subprocess,
     if (j->next) {
         const char *const path[] = {j->path, j->next};
         const char *const where[] = {j->where, j->next_where};
-        return murk_vdb_read_between(path, j->name, j->next_weight, send_grid,
-                                     j, where, err);
+        return murk_vdb_now()->read_between(path, j->name, j->next_weight,
+                                            send_grid, j, where, err);
     }
-    return murk_vdb_read(j->path, j->name, j->is_albedo, send_grid, j, j->where,
-                         err);
+    return murk_vdb_now()->read(j->path, j->name, j->is_albedo, send_grid, j,
+                                j->where, err);
 }
 
 static murk_status make_in_subprocess(murk_subprocess *subprocess,
@@ -96,8 +96,9 @@ static murk_status make_in_subprocess(murk_subprocess *subprocess,
 {
     job *j = context;
     j->subprocess = subprocess;
-    return murk_vdb_from_samples(j->size, j->density, j->index_to_world,
-                                 j->as_tiles, send_grid, j, j->where, err);
+    return murk_vdb_now()->from_samples(j->size, j->density, j->index_to_world,
+                                        j->as_tiles, send_grid, j, j->where,
+                                        err);
 }
 
 /* ---- the jobs ---- */
@@ -135,6 +136,7 @@ static murk_status read_packed(murk_subprocess *subprocess, murk_parcel *from,
 }
 
 const murk_subprocess_job murk_grid_read_job = {.name = "grid",
+                                                .prepare = murk_vdb_prepare,
                                                 .work = read_in_subprocess,
                                                 .pack = pack_file,
                                                 .work_packed = read_packed};
@@ -168,6 +170,7 @@ static murk_status make_packed(murk_subprocess *subprocess, murk_parcel *from,
 }
 
 const murk_subprocess_job murk_grid_make_job = {.name = "samples",
+                                                .prepare = murk_vdb_prepare,
                                                 .work = make_in_subprocess,
                                                 .pack = pack_samples,
                                                 .work_packed = make_packed};

@@ -108,8 +108,8 @@ static murk_status write_in_subprocess(murk_subprocess *subprocess,
 {
     job *j = context;
     j->subprocess = subprocess;
-    return murk_vdb_write(j->field, j->n, j->size, j->index_to_world,
-                          send_bytes, j, j->where, err);
+    return murk_vdb_now()->write(j->field, j->n, j->size, j->index_to_world,
+                                 send_bytes, j, j->where, err);
 }
 
 /* The notes of a field end with NULL. */
@@ -183,6 +183,7 @@ static murk_status write_packed(murk_subprocess *subprocess, murk_parcel *from,
 }
 
 const murk_subprocess_job murk_grid_write_job = {.name = "write",
+                                                 .prepare = murk_vdb_prepare,
                                                  .work = write_in_subprocess,
                                                  .pack = pack,
                                                  .work_packed = write_packed};

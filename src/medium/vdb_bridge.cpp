@@ -1,4 +1,4 @@
-/* The bridge to OpenVDB (medium/vdb_bridge.h). Called by the jobs of
+/* The bridge to OpenVDB (medium/vdb_bridge.h), a module. Called by the jobs of
  * murk_subprocess_do(). No exception leaves this file. */
 extern "C" {
 #include "medium/vdb_bridge.h"
@@ -510,12 +510,9 @@ murk_status write(const murk_vdb_field *fields, size_t n, const size_t size[3],
     return take(context, bytes.data(), bytes.size());
 }
 
-} // namespace
-
-extern "C" murk_status murk_vdb_read(const char *path, const char *name,
-                                     int is_albedo, murk_vdb_sink take,
-                                     void *context, const char *where,
-                                     murk_error *err)
+murk_status read_one(const char *path, const char *name, int is_albedo,
+                     murk_vdb_sink take, void *context, const char *where,
+                     murk_error *err)
 {
     const Place at{where, err};
     return guard(at, [&] {
@@ -523,11 +520,9 @@ extern "C" murk_status murk_vdb_read(const char *path, const char *name,
     });
 }
 
-extern "C" murk_status murk_vdb_read_between(const char *const path[2],
-                                             const char *name, double weight,
-                                             murk_vdb_sink take, void *context,
-                                             const char *const where[2],
-                                             murk_error *err)
+murk_status read_two(const char *const path[2], const char *name, double weight,
+                     murk_vdb_sink take, void *context,
+                     const char *const where[2], murk_error *err)
 {
     Frame a{path[0], {where[0], err}, nullptr, {}};
     Frame b{path[1], {where[1], err}, nullptr, {}};
@@ -535,12 +530,10 @@ extern "C" murk_status murk_vdb_read_between(const char *const path[2],
         a.at, [&] { return read_between(a, b, name, weight, take, context); });
 }
 
-extern "C" murk_status murk_vdb_from_samples(const size_t size[3],
-                                             const float *density,
-                                             const double index_to_world[12],
-                                             int as_tiles, murk_vdb_sink take,
-                                             void *context, const char *where,
-                                             murk_error *err)
+murk_status make(const size_t size[3], const float *density,
+                 const double index_to_world[12], int as_tiles,
+                 murk_vdb_sink take, void *context, const char *where,
+                 murk_error *err)
 {
     const Place at{where, err};
     return guard(at, [&] {
@@ -549,14 +542,17 @@ extern "C" murk_status murk_vdb_from_samples(const size_t size[3],
     });
 }
 
-extern "C" murk_status murk_vdb_write(const murk_vdb_field *fields, size_t n,
-                                      const size_t size[3],
-                                      const double index_to_world[12],
-                                      murk_vdb_bytes_sink take, void *context,
-                                      const char *where, murk_error *err)
+murk_status write_file(const murk_vdb_field *fields, size_t n,
+                       const size_t size[3], const double index_to_world[12],
+                       murk_vdb_bytes_sink take, void *context,
+                       const char *where, murk_error *err)
 {
     const Place at{where, err};
     return guard(at, [&] {
         return write(fields, n, size, index_to_world, take, context);
     });
 }
+
+} // namespace
+
+const murk_vdb murk_vdb_functions = {read_one, read_two, make, write_file};

@@ -3,6 +3,9 @@
  * the bytes of a file. For use inside src/medium only; plain C, which
  * vdb_bridge.cpp and C files include.
  *
+ * vdb_bridge.cpp is a module of its own (base/program.h), since OpenVDB takes
+ * .06 s of processor time to load.
+ *
  * Runs in a subprocess (base/subprocess.h), unless the host trusts its files,
  * since a hostile file may crash OpenVDB or make it ask for any amount of
  * memory.
@@ -39,33 +42,6 @@ typedef murk_status (*murk_vdb_sink)(void *context, const murk_vdb_facts *facts,
  * replaces inactive values of the file. */
 #define MURK_VDB_NO_ALBEDO (-1)
 
-/* Reads the grid selected by `name` (medium/grid.h) from `path`, as a density
- * or an albedo, and calls `take`. Fails with MURK_BAD_FILE (also without
- * memory) or MURK_BAD_VALUE at `where`, or with the status of `take`. */
-murk_status murk_vdb_read(const char *path, const char *name, int is_albedo,
-                          murk_vdb_sink take, void *context, const char *where,
-                          murk_error *err);
-
-/* Reads the grids selected by `name` from the files path[0] and path[1] as
- * densities a and b, and calls `take` with (1 - weight) * a + weight * b, where
- * 0 < weight < 1. A voxel is active if it is active in a or b; inactive voxels
- * count as 0. The values are computed in double precision from the values in
- * single precision of both grids, and rounded once. Fails as murk_vdb_read()
- * does, for the file path[k] at where[k], and with MURK_BAD_VALUE at where[1]
- * if the transforms of the grids are not equal. */
-murk_status murk_vdb_read_between(const char *const path[2], const char *name,
-                                  double weight, murk_vdb_sink take,
-                                  void *context, const char *const where[2],
-                                  murk_error *err);
-
-/* Makes the grid of dense samples, x fastest, starting with voxel (0,0,0),
- * and calls `take`. Blocks of one value become tiles if as_tiles is not 0.
- * Fails as murk_vdb_read() does. */
-murk_status murk_vdb_from_samples(const size_t size[3], const float *density,
-                                  const double index_to_world[12], int as_tiles,
-                                  murk_vdb_sink take, void *context,
-                                  const char *where, murk_error *err);
-
 /* Receives the bytes of a .vdb file, once; valid during the call only. */
 typedef murk_status (*murk_vdb_bytes_sink)(void *context, const void *bytes,
                                            size_t size);
@@ -77,11 +53,52 @@ typedef struct murk_vdb_field {
     const char *const *notes;
 } murk_vdb_field;
 
-/* Makes the bytes of a file with the fields, which have been checked. */
-murk_status murk_vdb_write(const murk_vdb_field *fields, size_t n,
-                           const size_t size[3],
-                           const double index_to_world[12],
-                           murk_vdb_bytes_sink take, void *context,
-                           const char *where, murk_error *err);
+/* The functions of the module. */
+typedef struct murk_vdb {
+    /* Reads the grid selected by `name` (medium/grid.h) from `path`, as a
+     * density or an albedo, and calls `take`. Fails with MURK_BAD_FILE (also
+     * without memory) or MURK_BAD_VALUE at `where`, or with the status of
+     * `take`. */
+    murk_status (*read)(const char *path, const char *name, int is_albedo,
+                        murk_vdb_sink take, void *context, const char *where,
+                        murk_error *err);
+
+    /* Reads the grids selected by `name` from the files path[0] and path[1] as
+     * densities a and b, and calls `take` with (1 - weight) * a + weight * b,
+     * where 0 < weight < 1. A voxel is active if it is active in a or b;
+     * inactive voxels count as 0. The values are computed in double precision
+     * from the values in single precision of both grids, and rounded once.
+     * Fails as read() does, for the file path[k] at where[k], and with
+     * MURK_BAD_VALUE at where[1] if the transforms of the grids are not
+     * equal. */
+    murk_status (*read_between)(const char *const path[2], const char *name,
+                                double weight, murk_vdb_sink take,
+                                void *context, const char *const where[2],
+                                murk_error *err);
+
+    /* Makes the grid of dense samples, x fastest, starting with voxel (0,0,0),
+     * and calls `take`. Blocks of one value become tiles if as_tiles is not 0.
+     * Fails as read() does. */
+    murk_status (*from_samples)(const size_t size[3], const float *density,
+                                const double index_to_world[12], int as_tiles,
+                                murk_vdb_sink take, void *context,
+                                const char *where, murk_error *err);
+
+    /* Makes the bytes of a file with the fields, which have been checked. */
+    murk_status (*write)(const murk_vdb_field *fields, size_t n,
+                         const size_t size[3], const double index_to_world[12],
+                         murk_vdb_bytes_sink take, void *context,
+                         const char *where, murk_error *err);
+} murk_vdb;
+
+/* The object of the module. */
+extern const murk_vdb murk_vdb_functions;
+
+/* Loads the module: the prepare() of the jobs that use it
+ * (base/subprocess.h). Fails with MURK_RUN_FAILED at `where`. */
+murk_status murk_vdb_prepare(const char *where, murk_error *err);
+
+/* The functions, after murk_vdb_prepare(). */
+const murk_vdb *murk_vdb_now(void);
 
 #endif
