@@ -1026,8 +1026,9 @@ murk_status murk_world_move(murk_world **out, murk_world *world,
  * traced again. The first update of a light traces all photons and notes where
  * they pass, 64 cells in a box around the change; later ones trace those that
  * start otherwise or pass a changed cell; `run.reused` of ledger.json counts
- * the others. All are traced with photons.store, in periodic domains,
- * and after changes that fill the domain. `light` stays as it is. Fails as
+ * the others. All are traced with photons.store, with flight: delta in a
+ * medium, with outside: continued, and after changes that fill the domain.
+ * `light` stays as it is. Fails as
  * murk_light_trace(), and with MURK_BAD_VALUE if both are of different
  * contexts. */
 murk_status murk_light_update(murk_light **out, murk_light *light,
@@ -1046,7 +1047,9 @@ murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
  * the clarity of sightlines that no change touches is taken over from the plan
  * before, within placement.memory_mb, and cannot be taken over again. Fails as
  * murk_plan_for_light(), and with MURK_BAD_VALUE if `plan` is for a matrix or
- * over conditions, or of another context or local origin than the light. */
+ * over conditions, or of another context or local origin than the light, or if
+ * the scene of the light lacks the type of one of its sensors, or its place is
+ * outside of the domain. */
 murk_status murk_plan_update(murk_plan **out, murk_plan *plan,
                              murk_light *light, murk_error *error);
 

@@ -260,6 +260,13 @@ def structured(owner: object, address: int, n: int, itemsize: int, fields: dict[
     return raw.view(dtype)
 
 
+def three(numbers: Sequence[float], name: str) -> Any:
+    """The numbers as double[3] of C."""
+    if len(numbers) != 3:
+        raise Error(f"has {len(numbers)} numbers, must have 3", where=f"argument {name}")
+    return ffi.new("double[3]", [float(x) for x in numbers])
+
+
 def from_numpy(array: ArrayLike, dimensions: int, name: str,
                types: Sequence[Any] = (numpy.float32, numpy.float64)) -> tuple[Any, NDArray[Any]]:
     """(view, array that must stay alive) of an array of the caller."""

@@ -7,7 +7,8 @@ import numpy
 from numpy.typing import NDArray
 
 from ._context import Context
-from ._library import (Error, Path, as_numpy, c_text, call, call_long, ffi, lib, new_view, structured, view_address)
+from ._library import (Error, Path, as_numpy, c_text, call, call_long, ffi, lib, new_view, structured, three,
+                       view_address)
 from ._picture import Picture
 from ._plan import Coverage, Plan
 from ._results import Result, handle_of, report_of, restored, result_in, result_of, save
@@ -45,8 +46,8 @@ class World:
         moved = object.__new__(World)
         moved.context, moved.tallies = self.context, self.tallies
         out = ffi.new("murk_world **")
-        place = ffi.new("double[3]", [float(x) for x in translate_m])
-        turn = ffi.NULL if rotate_deg is None else ffi.new("double[3]", [float(x) for x in rotate_deg])
+        place = three(translate_m, "translate_m")
+        turn = ffi.NULL if rotate_deg is None else three(rotate_deg, "rotate_deg")
         call_long(self.context, lib.murk_world_move, out, self.c, c_text(str(item)), place, turn)
         moved.c = ffi.gc(out[0], lib.murk_world_destroy)
         return moved

@@ -91,13 +91,8 @@ murk_status murk_coverage_update(murk_coverage **out, murk_coverage *coverage,
     if (!murk_worlds_share_origin(world, coverage->light->world)) {
         return murk_call_refuse(error, MURK_OTHER_ORIGIN);
     }
-    const murk_box *domain = &world->stage->world.domain.box;
-    for (size_t i = 0; i < coverage->n; ++i) {
-        if (coverage->pose[i].type >= world->desc->sensors.types ||
-            !murk_box_contains(domain, coverage->pose[i].position)) {
-            return murk_call_refuse(error, "the light is of a scene without "
-                                           "the type or the place of a sensor");
-        }
+    if (!murk_world_has_poses(world, coverage->pose, coverage->n)) {
+        return murk_call_refuse(error, MURK_OTHER_SENSORS);
     }
     return coverage_make(out, light, coverage->pose, coverage->n, error);
 }

@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "base/number.h"
 #include "base/progress.h"
+#include "base/scalar.h"
 #include "results/follow.h"
 #include "results/plan.h"
 #include "scene/override.h"
@@ -93,9 +94,15 @@ murk_status murk_follow_scene_at(murk_scene **out, const murk_follow *follow,
     if (!status) {
         status = murk_scene_set(*out, "timeline.at_s", text, err);
     }
-    return status || !start
-               ? status
-               : murk_scene_set(*out, "placement.start_plan", start, err);
+    if (status || !start) {
+        return status;
+    }
+    /* Any path, which may look like a number or a list. */
+    char *scalar = murk_scalar(start);
+    status = scalar ? murk_scene_set(*out, "placement.start_plan", scalar, err)
+                    : murk_no_memory(err, "", "for the start of a step");
+    free(scalar);
+    return status;
 }
 
 static murk_status read_timeline(murk_follow *follow, murk_error *err)
@@ -605,12 +612,10 @@ static murk_status advance(murk_follow *follow, const murk_follow_step *step,
     const double from_s = step_before_s(follow, step->number);
     const bool warns = !follow->is_part && follow->shard.count == 0;
     murk_call call = murk_call_begin(follow->scene->context, NULL, err);
-    return murk_call_end(
-        &call, follow->sequence.sensors == 0 && step->number == 0
-                   ? MURK_OK
-                   : murk_sequence_advance(&follow->sequence,
-                                           follow->session.scene, from_s,
-                                           step->number, warns, &call.failure));
+    return murk_call_end(&call, murk_sequence_advance(&follow->sequence,
+                                                      follow->session.scene,
+                                                      from_s, step->number,
+                                                      warns, &call.failure));
 }
 
 /* Makes the step, and adds its row and what moved to the sequence. */

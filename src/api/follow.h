@@ -9,6 +9,7 @@
 #include "base/ranks.h"
 #include "base/shard.h"
 #include "cases/sequence.h"
+#include "results/ownership.h"
 
 #define MURK_STEP_NAME  "steps/%04zu" /* the folder of a step, by its number */
 #define MURK_STEP_START "start.csv"
@@ -86,6 +87,11 @@ void murk_follow_remember(murk_follow *follow, murk_plan *plan);
  * NULL). The caller frees it; NULL when out of memory or without a folder. */
 char *murk_follow_file(const char *folder, size_t step, const char *name);
 bool murk_follow_has_file(const char *folder, size_t step, const char *name);
+
+/* True if the folder of a step has all files that its plan.json lists, with the
+ * checksums there. *owned begins as zeros, is then the list, and is released by
+ * murk_owned_release(). */
+bool murk_follow_is_whole(murk_owned *owned, const char *folder);
 
 /* murk_follow_file() in the folder of this run. */
 char *murk_follow_step_path(const murk_follow *follow, size_t step,

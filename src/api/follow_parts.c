@@ -17,7 +17,6 @@
 #include "lightmap/key_check.h"
 #include "photonmap/map_file.h"
 #include "results/json.h"
-#include "results/ownership.h"
 #include "scene/timeline.h"
 #include "world/file_sums.h"
 
@@ -176,20 +175,6 @@ static murk_status check_part(reading *r, const part_file *p, const facts *f,
     return status;
 }
 
-/* True if the step in the folder has all its files, with the checksums that
- * plan.json states. */
-static bool is_whole(murk_owned *owned, const char *folder)
-{
-    bool is = murk_owned_has(owned, folder, PLAN) &&
-              murk_owned_has(owned, folder, LEDGER);
-    for (size_t i = 0; i < owned->n && is; ++i) {
-        const murk_owned_file *file = &owned->file[i];
-        is = file->is_earlier ||
-             (!strchr(file->name, '/') && murk_owned_is_there(folder, file));
-    }
-    return is;
-}
-
 /* Sets the identity that the plan of step i must have, and the checksum of the
  * scene file; `start`: the file at which the search begins, or NULL. */
 static murk_status expect(char identity[65], char scene_sum[65],
@@ -311,7 +296,7 @@ static murk_status take_step(reading *r, const part_file *p, const facts *f,
     if (!murk_follow_has_file(p->folder, i, PLAN)) {
         goto done;
     }
-    if (!is_whole(&owned, folder)) {
+    if (!murk_follow_is_whole(&owned, folder)) {
         r->damaged[i] = true;
         goto done;
     }

@@ -151,6 +151,29 @@ static bool has_light(const murk_follow *follow, const char *folder,
             murk_follow_has_file(folder, step, MURK_MAP_FILE_NAME));
 }
 
+bool murk_follow_is_whole(murk_owned *owned, const char *folder)
+{
+    bool is = murk_owned_has(owned, folder, "plan.json") &&
+              murk_owned_has(owned, folder, "ledger.json");
+    for (size_t i = 0; i < owned->n && is; ++i) {
+        const murk_owned_file *file = &owned->file[i];
+        is = file->is_earlier ||
+             (!strchr(file->name, '/') && murk_owned_is_there(folder, file));
+    }
+    return is;
+}
+
+/* True if the step has all its files. */
+static bool step_is_whole(const char *folder, size_t step)
+{
+    murk_owned owned = {0};
+    char *path = murk_follow_file(folder, step, NULL);
+    const bool is = path && murk_follow_is_whole(&owned, path);
+    murk_owned_release(&owned);
+    free(path);
+    return is;
+}
+
 bool murk_follow_take_earlier(const murk_follow *follow, const char *folder,
                               murk_follow_step *step)
 {
@@ -168,6 +191,7 @@ bool murk_follow_take_earlier(const murk_follow *follow, const char *folder,
         strcmp(identity, session.identity) == 0 &&
         !(cut && strcmp(cut, "interrupt") == 0) &&
         has_light(follow, folder, step->number, plan) &&
+        step_is_whole(folder, step->number) &&
         !murk_follow_read_sensors(step, path, NULL);
     if (is_it) {
         const cJSON *all = at(plan, "look_ahead", "photons"),

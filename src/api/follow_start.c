@@ -30,12 +30,17 @@ murk_status murk_follow_read_start(murk_follow *follow,
     murk_pose *pose = NULL;
     bool *has_drifted = NULL;
     size_t n = 0, own = 0;
-    if (!desc->timeline.from_start_plan || !desc->placement.start_plan) {
+    if (!desc->placement.start_plan) {
         return MURK_OK;
     }
     murk_status status = murk_placement_read_start(&pose, &has_drifted, &n,
                                                    desc->placement.start_plan,
                                                    desc, &desc->domain, err);
+    if (!desc->timeline.from_start_plan) { /* that it can be read is all */
+        free(has_drifted);
+        free(pose);
+        return status;
+    }
     /* The fixed sensors are not planned. */
     for (size_t i = 0; i < n; ++i) {
         if (!is_fixed(&desc->sensors, &pose[i])) {

@@ -159,6 +159,21 @@ static inline bool murk_world_is_ahead(const murk_world *world)
            world->desc->placement.steps_ahead > 1;
 }
 
+/* True if the world has the types and the places of the sensors. */
+static inline bool murk_world_has_poses(const murk_world *world,
+                                        const murk_pose *pose, size_t n)
+{
+    bool has = true;
+    for (size_t i = 0; i < n && has; ++i) {
+        has = pose[i].type < world->desc->sensors.types &&
+              murk_box_contains(&world->stage->world.domain.box,
+                                pose[i].position);
+    }
+    return has;
+}
+#define MURK_OTHER_SENSORS \
+    "the light is of a scene without the type or the place of a sensor"
+
 /* True if positions count from the same local origin in both worlds. */
 static inline bool murk_worlds_share_origin(const murk_world *a,
                                             const murk_world *b)

@@ -277,6 +277,11 @@ murk_status murk_plan_update(murk_plan **out, murk_plan *plan,
     if (!murk_worlds_share_origin(plan->world, light->world)) {
         return murk_call_refuse(error, MURK_OTHER_ORIGIN);
     }
+    /* A plan of the same scene. */
+    if (!murk_world_has_poses(light->world, plan->plan.sensor,
+                              plan->plan.place.count)) {
+        return murk_call_refuse(error, MURK_OTHER_SENSORS);
+    }
     const making update = {.light = light, .keeps = true, .earlier = plan};
     return plan_make(out, light->world, &update, error);
 }

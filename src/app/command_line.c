@@ -8,6 +8,7 @@
 #include "base/export_kind.h"
 #include "base/number.h"
 #include "base/pool.h"
+#include "base/scalar.h"
 #include "base/utf8.h"
 #include "base/words.h"
 
@@ -140,6 +141,7 @@ static murk_status apply(murk_options *out, const murk_option *option,
         *number = 1;
         break;
     case MURK_OPTION_TEXT:
+    case MURK_OPTION_PATH:
         break;
     case MURK_OPTION_COUNT:
         status = read_count(option, value, number, err);
@@ -155,6 +157,14 @@ static murk_status apply(murk_options *out, const murk_option *option,
         return status;
     }
     /* Store it. */
+    if (option->kind == MURK_OPTION_PATH) {
+        char *scalar = murk_scalar(value);
+        status = scalar ? murk_option_override(out, option->key, scalar,
+                                               option->name, err)
+                        : murk_no_memory(err, "", "for the options");
+        free(scalar);
+        return status;
+    }
     if (option->key) {
         const bool is_count = option->kind == MURK_OPTION_COUNT;
         return murk_option_override(out, option->key, is_count ? digits : value,

@@ -67,7 +67,7 @@ const murk_option murk_option_table[] = {
     {"--start", NULL, "FILE", "check place follow",
      "begin the search at this plan, a plan.json or sensors.csv, in place of "
      "random starts: a short search that improves an earlier plan",
-     .kind = MURK_OPTION_TEXT, .key = "placement.start_plan"},
+     .kind = MURK_OPTION_PATH, .key = "placement.start_plan"},
     {"--time-limit", NULL, "S", "check place follow",
      "end the search for a plan S seconds after the work on it began, with the "
      "best plan and bound so far; follow: of each step. Light, sightlines and "

@@ -20,6 +20,8 @@ typedef struct murk_options murk_options;
 typedef enum murk_option_kind {
     MURK_OPTION_SWITCH, /* no value; a bool */
     MURK_OPTION_TEXT,   /* const char * */
+    MURK_OPTION_PATH,   /* a path that sets a key: any text, never a number or a
+                         * list */
     MURK_OPTION_COUNT,  /* a whole number min..max; uint64_t or unsigned */
     MURK_OPTION_WORD,   /* one of `words`; the index: bool or int */
     MURK_OPTION_OWN     /* as `read` reads it */

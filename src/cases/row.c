@@ -4,6 +4,7 @@
 #include "cases/row.h"
 
 #include "base/number.h"
+#include "base/scalar.h"
 #include "scene/print.h"
 #include "scene/yaml.h"
 
@@ -145,7 +146,7 @@ static void print_item(FILE *out, const char *const *text, size_t texts,
     fputs("\n  [", out);
     for (size_t i = 0; i < texts; ++i) {
         fputs(i ? ", " : "", out);
-        murk_print_text(out, text[i]);
+        murk_scalar_print(out, text[i]);
     }
     for (size_t i = 0; i < numbers; ++i) {
         murk_number_print(shown, number[i]);
@@ -164,11 +165,11 @@ char *murk_study_row_print(const murk_study_row *row, size_t number)
     }
     /* The keys of the row itself. */
     fprintf(out, "%zu\nemitted: %" PRIu64 "\nfailed: ", number, row->emitted);
-    murk_print_text(out, row->failed);
+    murk_scalar_print(out, row->failed);
     fputs("\nnote: ", out);
-    murk_print_text(out, row->note);
+    murk_scalar_print(out, row->note);
     fputs("\nfluence: ", out);
-    murk_print_text(out, row->fluence);
+    murk_scalar_print(out, row->fluence);
     /* The lists of values and sensors. */
     fputs("\nvalues: [", out);
     for (size_t i = 0; i < row->values; ++i) {

@@ -7,6 +7,7 @@
 #include "overview/parts.h"
 #include "overview/section_file.h"
 #include "plan/few_photons.h"
+#include "plan/free_space.h"
 #include "plan/start_plan.h"
 #include "results/candidates.h"
 #include "results/condition_results.h"
@@ -225,6 +226,9 @@ murk_status murk_overview_make(murk_overview *out, const murk_session *session,
         status = murk_poses_create(&out->poses, scene, &stage->world.domain,
                                    out->candidates->position,
                                    out->candidates->usable, err);
+    }
+    if (!status && out->candidates) {
+        status = murk_warn_of_fixed_sensors(stage, threads, err);
     }
     if (!status && out->candidates) {
         status =

@@ -204,11 +204,8 @@ murk_status murk_viewpoint_judge(const murk_viewpoint *v,
     murk_open_space *space = NULL;
     const murk_status status =
         murk_stage_free_space(&space, stage, threads, err);
-    if (!status && !murk_open_space_holds(space, p, murk_vec(0, 0, 0))) {
-        murk_warn(v->where,
-                  "%s stands at %s m, from where no open way to any light was "
-                  "found: it may be inside something or behind a wall",
-                  v->name, murk_position_show(p).text);
+    if (!status) {
+        murk_warn_unless_open(space, v->where, v->name, p);
     }
     murk_open_space_destroy(space);
     return status;

@@ -7,7 +7,9 @@
  * Owen, Monte Carlo theory, methods and examples, chapter 8. */
 #include "plan/free_space.h"
 
+#include "base/log.h"
 #include "base/pool.h"
+#include "base/position.h"
 #include "base/rng.h"
 #include "base/tally.h"
 
@@ -118,6 +120,35 @@ murk_status murk_stage_free_space(murk_open_space **out,
     status = murk_open_space_create(out, grid, grids, stage->surfaces, &reach,
                                     threads, where, err);
     free(lamp);
+    return status;
+}
+
+void murk_warn_unless_open(const murk_open_space *space, const char *where,
+                           const char *name, murk_vec3 place)
+{
+    if (!murk_open_space_holds(space, place, murk_vec(0, 0, 0))) {
+        murk_warn(where,
+                  "%s stands at %s m, from where no open way to any light was "
+                  "found: it may be inside something or behind a wall",
+                  name, murk_position_show(place).text);
+    }
+}
+
+murk_status murk_warn_of_fixed_sensors(const murk_stage *stage,
+                                       unsigned threads, murk_error *err)
+{
+    const murk_scene_sensors *sensors = &stage->scene->sensors;
+    murk_open_space *space = NULL;
+    if (sensors->n_fixed == 0 || murk_stage_is_dark(stage)) {
+        return MURK_OK;
+    }
+    const murk_status status =
+        murk_stage_free_space(&space, stage, threads, err);
+    for (size_t k = 0; k < sensors->n_fixed && !status; ++k) {
+        murk_warn_unless_open(space, sensors->fixed[k].where, "a fixed sensor",
+                              sensors->fixed[k].position);
+    }
+    murk_open_space_destroy(space);
     return status;
 }
 

@@ -29,6 +29,17 @@ murk_status murk_stage_free_space(murk_open_space **out,
                                   const murk_stage *stage, unsigned threads,
                                   murk_error *err);
 
+/* Warns at `where` that no open way leads from the place of `name`, such as "a
+ * fixed sensor", to any light, if there is none. The place must lie in the
+ * domain. */
+void murk_warn_unless_open(const murk_open_space *space, const char *where,
+                           const char *name, murk_vec3 place);
+
+/* The same for each fixed sensor of the scene. Does nothing if there is no
+ * light. Fails as murk_open_space_create(). */
+murk_status murk_warn_of_fixed_sensors(const murk_stage *stage,
+                                       unsigned threads, murk_error *err);
+
 typedef struct murk_part {
     bool is_ball;
     murk_box box; /* of a ball: the bounding box */

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "medium/rescaled.h"
 #include "placement/at_least.h"
+#include "plan/free_space.h"
 #include "plan/row_cache.h"
 #include "plan/start_plan.h"
 #include "plan/start_sensors.h"
@@ -167,6 +168,9 @@ murk_status murk_plan_prepare(murk_plan_result *plan, const murk_stage *stage,
     }
     if (!status) {
         status = make_poses(plan, stage, err);
+    }
+    if (!status) {
+        status = murk_warn_of_fixed_sensors(stage, threads, err);
     }
     if (!status) {
         murk_poses_limit_moves(plan->poses, &stage->scene->placement);

@@ -93,8 +93,8 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [SIGHT] = p->through != MURK_SCENE_REFRACT || !p->by_normal,
         [EXPLORING] = p->knowledge == MURK_SCENE_EXPLORE,
         [START_PLAN] = p->method != MURK_PLACE_GREEDY,
-        [FROM_ANYWHERE] = !is_best || !p->start_plan,
-        /* murk follow gives each step a start plan */
+        /* murk follow gives each step a start plan, but the first */
+        [FROM_ANYWHERE] = !is_best || !p->start_plan || s->timeline.given,
         [FROM_A_PLAN] = p->start_plan || s->timeline.given,
         [STEPS] = s->timeline.given,
         [RESTARTS] = is_best,

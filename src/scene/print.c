@@ -4,55 +4,17 @@
  * flow style for each item. */
 #include "scene/print.h"
 
+#include "base/scalar.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* True if a text may stand without quotes everywhere: the text is no number,
- * null or boolean of scene/yaml.h, begins with a letter, / or _, and has only
- * letters, digits, _ . / and -. */
-static bool is_plain(const char *text)
-{
-    static const char *const words[] = {"null", "Null",  "NULL",
-                                        "true", "false", NULL};
-    const bool is_letter = (text[0] >= 'a' && text[0] <= 'z') ||
-                           (text[0] >= 'A' && text[0] <= 'Z');
-    if (!is_letter && text[0] != '/' && text[0] != '_') {
-        return false;
-    }
-    for (const char *const *word = words; *word; ++word) {
-        if (strcmp(text, *word) == 0) {
-            return false;
-        }
-    }
-    return strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                        "0123456789_./-") == strlen(text);
-}
-
-void murk_print_text(FILE *out, const char *text)
-{
-    if (is_plain(text)) {
-        fputs(text, out);
-        return;
-    }
-    fputc('"', out);
-    for (const unsigned char *p = (const unsigned char *)text; *p; ++p) {
-        if (*p == '"' || *p == '\\') {
-            fprintf(out, "\\%c", *p);
-        } else if (*p < 0x20 || *p == 0x7F) {
-            fprintf(out, "\\x%02X", *p);
-        } else {
-            fputc(*p, out);
-        }
-    }
-    fputc('"', out);
-}
 
 static void print_flow(FILE *out, const murk_yaml *node)
 {
     if (node->kind == MURK_YAML_SCALAR) {
         if (node->is_quoted) {
-            murk_print_text(out, node->text);
+            murk_scalar_print(out, node->text);
         } else {
             fputs(node->text, out);
         }
@@ -63,7 +25,7 @@ static void print_flow(FILE *out, const murk_yaml *node)
     for (size_t i = 0; i < node->n; ++i) {
         fputs(i ? ", " : "", out);
         if (is_map) {
-            murk_print_text(out, node->key[i]);
+            murk_scalar_print(out, node->key[i]);
             fputs(": ", out);
         }
         print_flow(out, node->child[i]);
@@ -88,7 +50,7 @@ static void print_lines(FILE *out, const murk_yaml *node)
     for (size_t i = 0; i < node->n; ++i) {
         if (node->kind == MURK_YAML_MAP) {
             fputs("\n  ", out);
-            murk_print_text(out, node->key[i]);
+            murk_scalar_print(out, node->key[i]);
             fputs(": ", out);
         } else {
             fputs("\n  - ", out);
@@ -104,7 +66,7 @@ void murk_print_map(FILE *out, const murk_yaml *map,
         if (is_wanted && !is_wanted(map->key[i])) {
             continue;
         }
-        murk_print_text(out, map->key[i]);
+        murk_scalar_print(out, map->key[i]);
         fputc(':', out);
         if (holds_containers(map->child[i])) {
             print_lines(out, map->child[i]);

@@ -6,11 +6,6 @@
 
 #include <stdio.h>
 
-/* Prints a text as a scalar, in quotes if the text is a boolean or null, does
- * not begin with a letter, / or _, or has other characters than letters,
- * digits, _ . / and -. */
-void murk_print_text(FILE *out, const char *text);
-
 /* Prints a tree in one line: {a: 1, b: [2, 3]}. Returns the text, which the
  * caller frees with free(); NULL when out of memory. */
 char *murk_print_flow(const murk_yaml *node);

@@ -758,7 +758,19 @@ def leaks():
         check(left < limit, f"{work.__name__} leaves {left:.0f} bytes, at most {limit:.0f}")
 
 
+def closed_library():
+    """A library that its last user has closed stays loaded, for the sake of threads of Embree, which outlive all calls:
+    the interpreter closes it at its end."""
+    still = ("import _ctypes, ctypes, os, sys\n"
+             "handle = ctypes.CDLL(sys.argv[1])._handle\n"
+             "_ctypes.dlclose(handle)\n"
+             "ctypes.CDLL(sys.argv[1], mode=os.RTLD_NOLOAD)\n")  # raises OSError if it is not loaded
+    run = subprocess.run([sys.executable, "-c", still, os.environ["MURK_LIBRARY"]], capture_output=True, text=True)
+    check(run.returncode == 0, f"a closed library is loaded: {run.stderr}")
+
+
 def main():
+    closed_library()
     with tempfile.TemporaryDirectory() as folder:
         program_agrees(folder)
         study_and_fit_agree(folder)

@@ -93,6 +93,21 @@ def fit_csv():
     check(v["fit"].accepted and v["fit"].degrees_of_freedom == v["readings"] - 2, "a fit that is accepted")
 
 
+def moving_load():
+    """The last plan is that of a fresh trace of the last place, which begins at the plan before."""
+    v = run("moving_load.py")
+    fresh = v["hall"].world().move("load", [18, 6, 2]).trace()
+    check((fresh.surface == v["light"].surface).all() and (fresh.volume == v["light"].volume).all(), "the same photons")
+    sensors = [{"type": "node", "position_m": place} for place in v["places"][-1]]
+    check(fresh.sense(sensors).coverage.in_sample == v["plan"].coverage.in_sample, "the same coverage")
+    check(len(v["places"]) == 5 and all(len(places) == 4 for places in v["places"]), "four sensors at each of five places")
+    try:
+        v["world"].move("load", [1, 1])
+        check(False, "a place of two numbers")
+    except murk.Error as error:
+        check("translate_m" in error.where and "2 numbers" in error.text, str(error))
+
+
 def parallel():
     """Processes by spawn and by forkserver, and the results of one process."""
     path = os.path.join(folder, "parallel.py")
@@ -158,7 +173,7 @@ def main():
         os.makedirs(kept, exist_ok=True)
         only = os.environ.get("EXAMPLE")
         for example, arguments in ((photon_cube, ()), (visibility_sweep, (kept,)), (scenario_loop, ()), (numpy_grid, ()),
-                                   (fit_csv, ()), (parallel, ()), (notebook, ())):
+                                   (fit_csv, ()), (moving_load, ()), (parallel, ()), (notebook, ())):
             if only in (None, example.__name__):
                 example(*arguments)
     check(murk.version(), "a version")

@@ -169,6 +169,19 @@ def goes_on(folder, scene, whole):
         run("follow", scene, "-o", other, "-j", threads, *words)
         check(without_seconds(other, "follow.csv") == without_seconds(whole, "follow.csv"), threads, "threads")
         check(bytes_of(other, "moves.csv") == bytes_of(whole, "moves.csv"), threads, "threads")
+    # A step with a damaged file is made again, over which --force decides; one with a changed figure, too.
+    with open(os.path.join(out, "steps/0001/coverage.csv"), "w"):
+        pass
+    plan = os.path.join(out, "steps/0002/plan.json")
+    with open(plan) as file:
+        text = file.read()
+    with open(plan, "w") as file:
+        file.write(text.replace('"held_out": ', '"held_out": 0.', 1))
+    done = run("follow", scene, "-o", out, *words, code=2)
+    check("coverage.csv: not written by murk, or edited since" in done.stderr, done.stderr)
+    done = run("follow", scene, "-o", out, "--force", *words)
+    check("of which 3 kept from before" in done.stdout, done.stdout)
+    check(without_seconds(out, "follow.csv") == without_seconds(whole, "follow.csv"), "follow.csv after damage")
     run("follow", scene, "-o", out, *words, "--seed", "2")
     check(without_seconds(out, "follow.csv") != without_seconds(whole, "follow.csv"), "another seed, the same table")
 
@@ -307,8 +320,13 @@ def things_that_swallow_others(folder, scene):
     check([bool(row["failed"]) for row in rows] == [False, False, False, False, True], "the lamp", rows)
     check("out of reach of any light" in rows[4]["failed"], "the lamp", rows[4]["failed"])
     shutil.rmtree(out)
-    run("follow", scene, "-o", out, "--set", track.replace("X", "11"), "--set", "sensors.fixed.0.position_m=[10.5, 4, 1]",
-        "--set", "sensors.count=5", "--set", "placement.method=best")
+    words = ["--set", track.replace("X", "11"), "--set", "sensors.fixed.0.position_m=[10.5, 4, 1]"]
+    done = run("follow", scene, "-o", out, "--set", "sensors.count=5", "--set", "placement.method=best", *words)
+    warning = "sensors.fixed.0: a fixed sensor stands at [10.5, 4, 1] m, from where no open way to any light was found"
+    check(warning in done.stderr, done.stderr)
+    for t, is_warned in (("0", False), ("12", True)):
+        done = run("check", scene, "--at", t, *words)
+        check((warning in done.stderr) == is_warned, "check --at", t, done.stderr)
     covers = [next(sensor["covers"] for sensor in plan_of(os.path.join(out, f"steps/{k:04}"))["sensors"]
                    if sensor["position_m"] == [10.5, 4, 1]) for k in range(5)]
     check(covers[0] > 0 and covers[4] == 0, "a fixed sensor in the box", covers)
@@ -351,6 +369,25 @@ def a_start_of_ones_own(folder, scene, whole):
     run("follow", scene, "-o", out, "--set", f"placement.start_plan={start}", "--set", "timeline.to_s=3")
     check("started_from" in plan_of(os.path.join(out, "steps/0000"))["placement"], "a start of one's own")
     check(not os.path.exists(os.path.join(out, "steps/0000/start.csv")), "start.csv of step 0")
+    done = run("follow", scene, "-o", out, "--start", os.path.join(folder, "none.csv"), code=2)
+    check("none.csv: cannot read" in done.stderr, done.stderr)
+    # number 0 is that of the fixed sensor
+    done = run("follow", scene, "-o", out, "--set", "timeline={times_s: [0, 1], tracks: [{sensor: 1, fails_at_s: 0}]}")
+    check("no sensor has the number 1 when it fails, at 0 s" in done.stderr, done.stderr)
+
+
+def names_of_any_kind(folder, scene):
+    """Folders and files whose names are numbers, lists or comments in YAML, or begin with a blank."""
+    words = ["--set", "timeline.times_s=[0, 6]", "--set", "placement.method=best", "--emit", "300"]
+    here = os.getcwd()
+    os.chdir(folder)
+    run("follow", scene, "-o", "plain", *words)
+    for name in ("run #1", "[x]", "a: b", " lead", '"q', "*z", "12", "null"):
+        run("follow", scene, "-o", name, *words)
+        check(without_seconds(name, "follow.csv") == without_seconds("plain", "follow.csv"), "follow.csv in", name)
+        shutil.copy("plain/steps/0000/sensors.csv", name + ".csv")
+        run("place", scene, "--emit", "300", "--start", name + ".csv")
+    os.chdir(here)
 
 
 def prints_without_a_folder(scene, whole):
@@ -387,6 +424,7 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     shorter_timelines(top, path, made)
     dark_steps_keep_the_sensors(top, path)
     a_start_of_ones_own(top, path, made)
+    names_of_any_kind(top, path)
     prints_without_a_folder(path, made)
     viewers(top, path)
     what_stays(top)
