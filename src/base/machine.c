@@ -18,9 +18,12 @@
 /* The size of a huge page of x86 and of most ARM machines. */
 #define HUGE_PAGE ((uintptr_t)1 << 21)
 
-/* Linux 6.1 and later have this call, and earlier ones refuse it. The headers
- * of the C library may lack its name. */
-#if defined(__linux__) && !defined(MADV_COLLAPSE)
+/* Advices of Linux, the second one of 6.1 and later, which earlier ones refuse.
+ * The headers of the C library may lack the names. */
+#ifndef MADV_HUGEPAGE
+#define MADV_HUGEPAGE 14
+#endif
+#ifndef MADV_COLLAPSE
 #define MADV_COLLAPSE 25
 #endif
 
@@ -73,19 +76,32 @@ void murk_machine_drop(void *memory, size_t bytes)
 #endif
 }
 
-void murk_machine_join_pages(void *memory, size_t bytes)
+/* Gives the operating system an advice about the huge pages that lie wholly
+ * within the memory. */
+static void advise(void *memory, size_t bytes, int advice)
 {
 #if defined(__linux__) && defined(MADV_DONTNEED)
     const uintptr_t page = HUGE_PAGE;
     const uintptr_t first = ((uintptr_t)memory + page - 1) / page * page;
     const uintptr_t end = ((uintptr_t)memory + bytes) / page * page;
     if (memory && first < end) {
-        (void)madvise((void *)first, end - first, MADV_COLLAPSE);
+        (void)madvise((void *)first, end - first, advice);
     }
 #else
     (void)memory;
     (void)bytes;
+    (void)advice;
 #endif
+}
+
+void murk_machine_use_huge_pages(void *memory, size_t bytes)
+{
+    advise(memory, bytes, MADV_HUGEPAGE);
+}
+
+void murk_machine_join_pages(void *memory, size_t bytes)
+{
+    advise(memory, bytes, MADV_COLLAPSE);
 }
 
 void murk_machine_trim(void)

@@ -26,6 +26,11 @@ double murk_machine_peak_bytes(void);
  * Without effect where the operating system has no such call. */
 void murk_machine_drop(void *memory, size_t bytes);
 
+/* Asks the operating system to use huge pages for memory that has not been
+ * written yet, so that it gives the pages in few steps. Without effect where
+ * the system has no such call or no such pages. */
+void murk_machine_use_huge_pages(void *memory, size_t bytes);
+
 /* Asks the operating system to use huge pages for the memory, which has been
  * written, so that scattered reads need fewer translations of addresses.
  * Without effect where the system has no such call or no such pages. */

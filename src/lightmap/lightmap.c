@@ -23,6 +23,10 @@
 /* One batch, the smallest unit of tracing */
 #define PILOT_PHOTONS MURK_BATCH_PHOTONS
 
+/* Memory for records that is reserved, as a share of the forecast: the pilot is
+ * wrong by a few per cent. */
+#define RESERVE 1.1
+
 /* In a closed room most of the light is absorbed. A share above one half is
  * worth a warning. */
 #define ESCAPE_SHARE_MAX 0.5
@@ -301,7 +305,7 @@ static double list_max(double memory, double other)
  * so, else in memory, as long as both fit there. Of the ranks of a machine the
  * first has them, which shares their memory with the others. */
 static void place_records(murk_record_buffers *buffers,
-                          const murk_forecast *forecast)
+                          const murk_forecast *forecast, bool keeps)
 {
     const double memory =
         forecast->scratch_bytes > 0 ? 0 : murk_block_memory_bytes();
@@ -310,6 +314,11 @@ static void place_records(murk_record_buffers *buffers,
     buffers->surface.block.is_for_ranks = buffers->volume.block.is_for_ranks =
         murk_ranks_on_machine().count > 1;
     buffers->passes = !murk_ranks_keeps_shared();
+    if (keeps) {
+        murk_record_list_reserve(&buffers->surface,
+                                 RESERVE * forecast->surface);
+        murk_record_list_reserve(&buffers->volume, RESERVE * forecast->volume);
+    }
 }
 
 /* `watched`: the box whose cells on the paths of photons are noted; NULL:
@@ -365,7 +374,7 @@ static murk_status trace_light(murk_traced **out, const murk_stage *stage,
         goto done;
     }
     e.tallies = traced->tallies;
-    place_records(e.buffers, &forecast);
+    place_records(e.buffers, &forecast, keeps);
     murk_watching watching = {e.buffers, NULL, &stage->world.domain};
     if (watched && murk_can_watch(stage)) {
         status = murk_path_cells_create(&traced->cells, watched, settings->emit,

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/machine.h"
 #include "base/pool.h"
 
 #define FIRST_CAPACITY 256 /* first capacity of a list: 8 kB */
@@ -46,6 +47,20 @@ static murk_status grow(murk_record_list *list, murk_error *err)
         list->capacity = capacity;
     }
     return status;
+}
+
+void murk_record_list_reserve(murk_record_list *list, double records)
+{
+    const double max = list->memory_max > 0 ? list->memory_max : INFINITY;
+    const size_t size = (size_t)records * sizeof *list->photon;
+    if (list->capacity == 0 && size > 0 &&
+        !murk_block_resize(&list->block, size, max, NULL)) {
+        list->photon = list->block.bytes;
+        list->capacity = (size_t)records;
+        if (list->block.place == MURK_BLOCK_ON_HEAP) {
+            murk_machine_use_huge_pages(list->photon, size);
+        }
+    }
 }
 
 /* The place of one more record, which the list then counts. Fails, with the

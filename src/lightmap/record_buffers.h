@@ -25,6 +25,12 @@ typedef struct murk_record_list {
     bool is_short_of_memory;
 } murk_record_list;
 
+/* Gives an empty list memory for so many records at once, in huge pages where
+ * the machine has them: a list that grows maps its pages anew each time. Pages
+ * that no record reaches take no memory. Where that much memory is not to be
+ * had, the list grows record by record. */
+void murk_record_list_reserve(murk_record_list *list, double records);
+
 /* Appends a record; a full list grows by half. Fails, with the list unchanged,
  * with MURK_NO_MEMORY, or with MURK_RUN_FAILED if the disk with the scratch
  * file is full. */
