@@ -200,7 +200,7 @@ static void sort_batch(void *context, uint64_t batch)
     if (is_sorted) {
         return;
     }
-    murk_photon *sorted = malloc(n * sizeof *sorted);
+    murk_photon *sorted = malloc(buffer->capacity * sizeof *sorted);
     if (!sorted) {
         buffer->is_short_of_memory = true;
         return;
@@ -218,9 +218,8 @@ static void sort_batch(void *context, uint64_t batch)
         sorted[place[murk_photon_emitted(photon) - first]++] = *photon;
     }
     murk_block_release(&buffer->block);
-    buffer->block = murk_block_of(sorted, n * sizeof *sorted);
+    buffer->block = murk_block_of(sorted, buffer->capacity * sizeof *sorted);
     buffer->photon = sorted;
-    buffer->capacity = n;
 }
 
 void murk_record_buffers_sort(murk_record_buffers *h, unsigned threads)
