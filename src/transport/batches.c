@@ -74,8 +74,7 @@ static void trace_batch(void *context, unsigned worker, uint64_t batch)
                                 first + n);
     }
     for (uint64_t i = 0; !r->lanes && i < n && !murk_interrupted(); ++i) {
-        murk_walk_photon(&r->setup, &s, batch,
-                         murk_trace_photon(trace, first + i));
+        murk_walk_photon(&r->setup, &s, batch, first + i);
     }
     add_up(r->ledger, &s, trace->takes_back ? -1 : 1);
 }

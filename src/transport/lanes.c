@@ -23,6 +23,10 @@
  * long as some 2 or 3 collisions of the walker. */
 #define FEW 3
 
+/* Starts of photons that are drawn at once: enough for the processor to work on
+ * several. */
+#define STARTS 16
+
 static_assert(MURK_LANE_COUNT % MURK_LANE_GROUP == 0, "whole groups");
 static_assert(MURK_LANE_COUNT <= MURK_SCORE_PATHS, "a list for each lane");
 static_assert(MURK_LANE_COUNT < 64, "a bit for each lane");
@@ -31,7 +35,11 @@ typedef struct lane_batch {
     const murk_lane_steps *steps;
     const murk_walk_setup *setup;
     murk_sums *sums;
-    uint64_t batch, next, last; /* photons [next, last) are still to begin */
+    uint64_t batch, next, last; /* of the photons in places [next, last) the
+                                 * starts are not drawn yet */
+    murk_photon_start start[STARTS]; /* of the next photons */
+    size_t begun, drawn; /* start[begun] to start[drawn - 1] are still to
+                          * begin */
     murk_lane_facts facts;
     bool is_even;    /* a single medium, which is even, fills the domain */
     bool is_heard;   /* collisions are reported */
@@ -139,15 +147,30 @@ static void put_in(lane_batch *b, size_t i)
 
 /* ---- photons ---- */
 
+/* The start of the next photon; NULL if there is none, or after an
+ * interrupt. */
+static const murk_photon_start *next_start(lane_batch *b)
+{
+    if (b->begun == b->drawn) {
+        const uint64_t left = b->last - b->next;
+        b->begun = 0;
+        b->drawn = left < STARTS ? (size_t)left : STARTS;
+        murk_walk_starts_draw(b->setup, b->next, b->drawn, b->start);
+        b->next += b->drawn;
+    }
+    return b->begun < b->drawn && !murk_interrupted() ? &b->start[b->begun++]
+                                                      : NULL;
+}
+
 /* Begins photons until one of them does not end at the start. False if there is
  * no further photon. */
 static bool begin(lane_batch *b, size_t i, murk_score_path *score)
 {
     murk_walker *w = &b->walker[i];
-    while (b->next < b->last && !murk_interrupted()) {
-        const murk_fate fate = murk_walk_photon_begin(
-            w, b->setup, b->sums, score, b->batch,
-            murk_trace_photon(b->setup->trace, b->next++));
+    const murk_photon_start *start;
+    while ((start = next_start(b)) != NULL) {
+        const murk_fate fate = murk_walk_photon_begin(w, b->setup, b->sums,
+                                                      score, b->batch, start);
         if (fate == MURK_FATE_NONE) {
             put_in(b, i);
             return true;
@@ -511,6 +534,7 @@ void murk_photon_lanes_trace(const murk_lane_steps *steps,
     b.batch = batch;
     b.next = first;
     b.last = last;
+    b.begun = b.drawn = 0;
     b.facts = (murk_lane_facts){
         .seed = trace->seed,
         .purpose = (uint32_t)MURK_FLIGHT + setup->purpose_shift,

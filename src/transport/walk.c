@@ -324,13 +324,33 @@ murk_walk_setup murk_walk_setup_of(const murk_trace *trace)
         .min_quanta = llround(trace->least_weight * (double)MURK_PACKET)};
 }
 
+static bool is_lit(const murk_walk_setup *r, size_t channel)
+{
+    return murk_sources_channel_power_w(r->world->lights, channel) > 0;
+}
+
+void murk_walk_starts_draw(const murk_walk_setup *r, uint64_t place, size_t n,
+                           murk_photon_start *start)
+{
+    const murk_sources *lights = r->world->lights;
+    for (size_t i = 0; i < n; ++i) {
+        murk_photon_start *s = &start[i];
+        s->photon = murk_trace_photon(r->trace, place + i);
+        s->channel = murk_sources_channel_of(lights, s->photon);
+        if (is_lit(r, s->channel)) {
+            s->ray = murk_sources_emit_in(lights, s->channel, r->trace->seed,
+                                          r->trace->stream, s->photon);
+        }
+    }
+}
+
 murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
                                  murk_sums *s, murk_score_path *score,
-                                 uint64_t batch, uint64_t photon)
+                                 uint64_t batch, const murk_photon_start *start)
 {
     const murk_transport_world *world = r->world;
-    const size_t channel = murk_sources_channel_of(world->lights, photon);
-    set_up(w, r, s, photon);
+    const size_t channel = start->channel;
+    set_up(w, r, s, start->photon);
     w->batch = batch;
     w->channel = channel;
     w->light = channel / (size_t)world->bands;
@@ -338,15 +358,13 @@ murk_fate murk_walk_photon_begin(murk_walker *w, const murk_walk_setup *r,
     w->score = score;
     /* A photon of a light source that is off is not traced: it has no part in
      * ledger and tallies. */
-    if (!(murk_sources_channel_power_w(world->lights, channel) > 0)) {
+    if (!is_lit(r, channel)) {
         w->score = NULL;
         w->quanta = 0;
         return MURK_FATE_ESCAPED;
     }
     ++s->emitted[channel];
-    /* Draw the start of the photon. */
-    murk_ray ray = murk_sources_emit_in(world->lights, channel, r->trace->seed,
-                                        r->trace->stream, photon);
+    murk_ray ray = start->ray;
     if (world->continues &&
         murk_source_is_distant(murk_sources_get(world->lights, w->light))) {
         come_from_outside(w, &ray);
@@ -388,11 +406,13 @@ void murk_walk_photon_end(murk_walker *w, murk_fate fate)
 }
 
 void murk_walk_photon(const murk_walk_setup *r, murk_sums *s, uint64_t batch,
-                      uint64_t photon)
+                      uint64_t place)
 {
     murk_walker w;
+    murk_photon_start start;
+    murk_walk_starts_draw(r, place, 1, &start);
     const murk_fate fate = murk_walk_photon_begin(
-        &w, r, s, s->scorer ? &s->scorer->path[0] : NULL, batch, photon);
+        &w, r, s, s->scorer ? &s->scorer->path[0] : NULL, batch, &start);
     murk_walk_photon_end(&w, fate == MURK_FATE_NONE ? follow(&w) : fate);
 }
 
