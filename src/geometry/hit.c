@@ -158,9 +158,11 @@ bool murk_surfaces_hit_near(const murk_surfaces *s, murk_vec3 origin,
     }
     /* The reported normal points against the ray. */
     const double side = murk_dot(normal, direction) > 0 ? -1 : 1;
+    const double scale = p.is_sphere ? 1 / murk_length(normal)
+                                     : s->soup.plane[p.index].inverse_length;
     const size_t number = murk_primitive_number(&s->soup, p);
     *hit = (murk_hit){.distance_m = drawn_back(&w, p, normal, distance),
-                      .normal = murk_scale(side / murk_length(normal), normal),
+                      .normal = murk_scale(side * scale, normal),
                       .triangle = (uint32_t)number,
                       .material = murk_soup_material(&s->soup, number),
                       .solid = murk_soup_solid(&s->soup, number)};

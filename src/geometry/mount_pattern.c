@@ -50,7 +50,7 @@ static bool searched_face(const murk_mount_builder *l, size_t i,
                           murk_polygon *part)
 {
     const murk_soup *soup = &l->surfaces->soup;
-    if (!is_searched(l, soup->material[i])) {
+    if (!is_searched(l, murk_soup_material(soup, i))) {
         return false;
     }
     *t = murk_soup_placed_triangle(soup, i);

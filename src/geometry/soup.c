@@ -233,16 +233,27 @@ static murk_status classify(murk_soup *soup, murk_placed_shapes *g,
     return MURK_OK;
 }
 
+static murk_plane plane_of(const murk_soup *soup, const murk_placed_triangle *p)
+{
+    const murk_triangle t = murk_triangle_at(soup->vertex, p->corner);
+    const murk_vec3 normal = murk_triangle_normal(&t);
+    return (murk_plane){.point = t.a,
+                        .normal = normal,
+                        .inverse_length = 1 / murk_length(normal),
+                        .solid = p->solid,
+                        .material = p->material};
+}
+
 /* Stores triangles and spheres sorted by kind of face; the order within a
  * kind is kept. */
 static murk_status store_faces(murk_soup *soup, const murk_placed_shapes *g,
                                murk_error *err)
 {
     soup->corner = malloc((3 * g->triangles + 1) * sizeof *soup->corner);
-    soup->material = malloc(g->triangles + 1);
-    soup->solid = malloc((g->triangles + 1) * sizeof *soup->solid);
+    soup->plane = aligned_alloc(sizeof *soup->plane,
+                                (g->triangles + 1) * sizeof *soup->plane);
     soup->sphere = malloc((g->spheres + 1) * sizeof *soup->sphere);
-    if (!soup->corner || !soup->material || !soup->solid || !soup->sphere) {
+    if (!soup->corner || !soup->plane || !soup->sphere) {
         return murk_no_memory(err, "geometry", "for %zu triangles",
                               g->triangles);
     }
@@ -254,8 +265,7 @@ static murk_status store_faces(murk_soup *soup, const murk_placed_shapes *g,
             if (t->face == face) {
                 const size_t k = soup->triangles++;
                 memcpy(soup->corner + 3 * k, t->corner, sizeof t->corner);
-                soup->material[k] = t->material;
-                soup->solid[k] = t->solid;
+                soup->plane[k] = plane_of(soup, t);
             }
         }
         soup->first_sphere[face] = soup->spheres;
@@ -312,8 +322,7 @@ void murk_soup_release(murk_soup *soup)
 {
     free(soup->vertex);
     free(soup->corner);
-    free(soup->material);
-    free(soup->solid);
+    free(soup->plane);
     free(soup->sphere);
     *soup = (murk_soup){0};
 }
@@ -321,7 +330,6 @@ void murk_soup_release(murk_soup *soup)
 size_t murk_soup_bytes(const murk_soup *soup)
 {
     return 3 * (soup->vertices + 1) * sizeof *soup->vertex +
-           soup->triangles * (3 * sizeof *soup->corner +
-                              sizeof *soup->material + sizeof *soup->solid) +
+           soup->triangles * (3 * sizeof *soup->corner + sizeof *soup->plane) +
            soup->spheres * sizeof *soup->sphere;
 }

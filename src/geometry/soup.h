@@ -9,6 +9,18 @@
 #include "geometry/placed_shapes.h"
 #include "geometry/triangle.h"
 
+/* A triangle as a hit needs it, computed once: its plane, and what is told of
+ * the triangle. */
+typedef struct murk_plane {
+    murk_vec3 point;       /* the first corner */
+    murk_vec3 normal;      /* murk_triangle_normal() */
+    double inverse_length; /* 1 / the length of the normal */
+    uint16_t solid;        /* number of the solid, 0: none */
+    uint8_t material;
+} murk_plane;
+
+_Static_assert(sizeof(murk_plane) == 64, "a hit reads one cache line");
+
 typedef struct murk_soup {
     murk_vec3 anchor;
     double extent; /* largest magnitude of a stored coordinate [m] */
@@ -17,8 +29,7 @@ typedef struct murk_soup {
     float *vertex; /* 3 * vertices, and three more floats because Embree reads
                       16 bytes */
     uint32_t *corner;           /* 3 * triangles, sorted by face */
-    uint8_t *material;          /* triangles */
-    uint16_t *solid;            /* triangles; number of the solid, 0: none */
+    murk_plane *plane;          /* triangles */
     murk_stored_sphere *sphere; /* sorted by face */
     size_t first_triangle[MURK_FACES + 1], first_sphere[MURK_FACES + 1];
     size_t solids, degenerate;
@@ -50,13 +61,13 @@ static inline murk_triangle murk_soup_placed_triangle(const murk_soup *soup,
 /* Material, and solid, of triangle i or of sphere i - triangles. */
 static inline uint8_t murk_soup_material(const murk_soup *soup, size_t i)
 {
-    return i < soup->triangles ? soup->material[i]
+    return i < soup->triangles ? soup->plane[i].material
                                : soup->sphere[i - soup->triangles].material;
 }
 
 static inline uint16_t murk_soup_solid(const murk_soup *soup, size_t i)
 {
-    return i < soup->triangles ? soup->solid[i]
+    return i < soup->triangles ? soup->plane[i].solid
                                : soup->sphere[i - soup->triangles].solid;
 }
 

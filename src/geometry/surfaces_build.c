@@ -24,7 +24,8 @@ static void measure(murk_surfaces *s, const murk_box *within)
     }
     for (size_t i = 0; i < soup->triangles; ++i) {
         const murk_triangle t = murk_soup_triangle(soup, i);
-        s->material_area_m2[soup->material[i]] += murk_triangle_area(&t);
+        s->material_area_m2[murk_soup_material(soup, i)] +=
+            murk_triangle_area(&t);
     }
     for (size_t i = 0; i < soup->spheres; ++i) {
         const murk_stored_sphere *b = &soup->sphere[i];

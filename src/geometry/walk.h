@@ -112,10 +112,11 @@ static inline double murk_walk_locate(const murk_walk *w, murk_primitive p,
                            sphere->center);
         return distance;
     }
-    const murk_triangle t = murk_soup_triangle(soup, p.index);
-    *normal = murk_triangle_normal(&t);
-    const double distance = murk_dot(murk_sub(t.a, w->origin), *normal) /
-                            murk_dot(w->direction, *normal);
+    const murk_plane *plane = &soup->plane[p.index];
+    *normal = plane->normal;
+    const double distance =
+        murk_dot(murk_sub(plane->point, w->origin), *normal) /
+        murk_dot(w->direction, *normal);
     return fabs(distance - about) <= MURK_WALK_AGREE_UNITS * w->s->unit_m
                ? distance
                : about;
