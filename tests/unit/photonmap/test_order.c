@@ -62,6 +62,26 @@ static void test_select_puts_the_right_record_in_place(void)
     }
 }
 
+/* A range of coordinates that begins at the float before 2, below 0: bins begin
+ * at 0, and the last number before a bin is that of -0. */
+static void test_zeros_at_the_edge_of_a_bin(void)
+{
+    enum { N = 200, LOW = 50 };
+    murk_photon photons[N] = {{{0}, 0, 0, 0, 0, 0, 0, 0, 0}};
+    for (size_t i = 0; i < N; ++i) {
+        photons[i].position_m[0] = i % 4 == 3   ? -0x1.fffffep0F
+                                   : i % 4 == 2 ? 1.5F
+                                   : i % 4 == 1 ? -0.0F
+                                                : 0;
+        photons[i].emitted = (uint32_t)i;
+    }
+    murk_order_select(photons, N, N / 2, 0);
+    for (size_t i = 0; i < N; ++i) {
+        const float x = photons[i].position_m[0];
+        CHECK(i < LOW ? x < 0 : i <= N / 2 ? x == 0 : x >= 0);
+    }
+}
+
 /* Against the definition, for numbers of records around whole leaves and whole
  * trees, some below and some above the limit for several threads; directions
  * are any bits. */
@@ -158,6 +178,7 @@ static void test_a_million_copies(void)
 int main(void)
 {
     test_select_puts_the_right_record_in_place();
+    test_zeros_at_the_edge_of_a_bin();
     test_order_is_the_defined_one();
     test_odd_arrangements_take_no_longer();
     test_a_million_copies();
