@@ -77,6 +77,7 @@ void murk_at_least_init(murk_at_least *out, const murk_problem *of,
     out->problem.get_row = binary_row;
     out->problem.get_part = NULL;
     out->problem.earlier_hash = NULL; /* of rows with their clarities */
+    out->problem.patches = (murk_row_patches){0};
     out->problem.rest = rest;
     out->problem.list_counters = list_counters;
     out->problem.context = out;

@@ -23,6 +23,9 @@ typedef struct murk_layout {
     size_t photons, slots,
         words;           /* slots = 64 * words, including unused slots */
     uint32_t *slot;      /* [photons]; NULL: photon i has slot i */
+    bool is_grouped;     /* each word has photons of one weight, as a rule */
+    size_t added;        /* photons with the slot of one that is gone, or behind
+                          * all others (murk_layout_patch()) */
     bool is_borrowed;    /* slot and doses belong to another layout */
     uint32_t *weight;    /* [slots], 0 in unused slots */
     size_t layers;       /* entries of a photon that count: the redundancy */
@@ -38,6 +41,13 @@ typedef struct murk_layout {
  * MURK_NO_MEMORY. */
 murk_status murk_layout_init(murk_layout *out, const murk_problem *problem,
                              bool regroup, murk_error *err);
+/* The layout of nearly the same photons: earlier[photons] is the number of each
+ * photon in `from`, whose slot it has, or MURK_NO_PHOTON; such a photon has a
+ * slot that was free, among others of its weight if `from` is grouped, or one
+ * behind all others. Fails with MURK_NO_MEMORY. */
+murk_status murk_layout_patch(murk_layout *out, const murk_problem *problem,
+                              const murk_layout *from, const uint32_t *earlier,
+                              murk_error *err);
 /* The same slots with other weights, weight[photons]. Borrows from `from`,
  * which must outlive *out. *out is all zero at the first call; a second call on
  * the same *out only replaces the weights. Fails with MURK_NO_MEMORY. */

@@ -7,6 +7,7 @@
  * shorter that merging pays (placement/merge.h). */
 #include "placement/matrix.h"
 
+#include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/machine.h"
@@ -21,6 +22,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* With fewer photons murk_matrix_create() merges nothing: the rows are so short
  * that calling the kernels takes longer than the loops over words that merging
@@ -34,6 +36,9 @@
 typedef struct fill_task {
     const murk_problem *problem;
     murk_matrix *matrix;
+    murk_row_patching *patching; /* [threads]; NULL: no row is patched */
+    const uint64_t *is_gone;     /* [words] slots of photons that are gone, or
+                                  * that no photon had */
     _Atomic uint64_t
         *hash;       /* [photons] hashes of the columns; NULL: not computed */
     murk_tally rows; /* that are stored */
@@ -81,6 +86,56 @@ static void hash_row(fill_task *f, unsigned worker, size_t candidate,
     murk_merge_hash(f->hash, candidate, &come);
 }
 
+/* Turns the patch of a row, by photons, into one by slots. */
+static void patch_slots(const fill_task *f, unsigned worker,
+                        const murk_row_patch *by_photon)
+{
+    const murk_layout *layout = &f->matrix->layout;
+    murk_row_patching *p = &f->patching[worker];
+    memcpy(p->clear, f->is_gone, layout->words * sizeof *p->clear);
+    memset(p->set, 0, layout->words * sizeof *p->set);
+    for (size_t w = 0; w < (layout->photons + 63) / 64; ++w) {
+        for (uint64_t left = by_photon->again[w]; left; left &= left - 1) {
+            const size_t slot = murk_layout_slot(
+                layout, (uint32_t)(64 * w) + (uint32_t)__builtin_ctzll(left));
+            p->clear[slot / 64] |= UINT64_C(1) << (slot % 64);
+        }
+    }
+    const murk_sparse_row *come = &by_photon->come;
+    for (size_t k = 0; k < come->seen; ++k) {
+        const size_t slot = murk_layout_slot(layout, come->photon[k]);
+        p->set[slot / 64] |= UINT64_C(1) << (slot % 64);
+        p->come[slot] = come->clarity ? come->clarity[k] : MURK_CLEAR;
+    }
+}
+
+/* Stores a row in memory: that of the earlier matrix with a patch, or a row of
+ * which all entries are asked for. False when out of memory. */
+static bool make_row(fill_task *f, unsigned worker, size_t candidate,
+                     murk_row *row)
+{
+    const murk_problem *problem = f->problem;
+    murk_matrix *before = problem->patches.matrix;
+    murk_row_patch patch;
+    if (f->patching &&
+        problem->patches.get(problem->context, worker, candidate, &patch)) {
+        patch_slots(f, worker, &patch);
+        const bool is_stored = murk_row_store_patched(
+            row, &f->matrix->layout, murk_matrix_row(before, patch.candidate),
+            &before->layout, &f->patching[worker]);
+        if (patch.is_last) {
+            murk_matrix_drop(before, patch.candidate);
+        }
+        return is_stored;
+    }
+    murk_sparse_row entries;
+    problem->get_row(problem->context, worker, candidate, &entries);
+    if (f->hash && murk_row_is_own(candidate)) {
+        hash_row(f, worker, candidate, &entries);
+    }
+    return murk_row_store(row, &f->matrix->layout, &entries);
+}
+
 static void fill_row(void *context, unsigned worker, uint64_t batch)
 {
     fill_task *f = context;
@@ -89,12 +144,7 @@ static void fill_row(void *context, unsigned worker, uint64_t batch)
         murk_tally_read(&f->refused) > 0) {
         return;
     }
-    murk_sparse_row entries;
-    f->problem->get_row(f->problem->context, worker, (size_t)batch, &entries);
-    if (f->hash && murk_row_is_own((size_t)batch)) {
-        hash_row(f, worker, (size_t)batch, &entries);
-    }
-    if (!murk_row_store(row, &f->matrix->layout, &entries)) {
+    if (!make_row(f, worker, (size_t)batch, row)) {
         murk_tally_add(&f->out_of_memory, 1);
     } else if (!murk_row_space_keep(f->matrix->space, row)) {
         murk_tally_add(&f->refused, 1);
@@ -232,15 +282,52 @@ static murk_status exchange(fill_task *f, murk_status status, murk_error *err)
     return status;
 }
 
+/* Allocates what patches need. */
+static murk_status prepare_patches(fill_task *f, murk_arena *arena,
+                                   murk_error *err)
+{
+    const murk_problem *problem = f->problem;
+    const murk_layout *layout = &f->matrix->layout;
+    const size_t words = layout->words, slots = layout->slots;
+    uint64_t *is_gone = murk_arena_array(arena, words, sizeof *is_gone);
+    f->patching =
+        murk_arena_array(arena, problem->threads, sizeof *f->patching);
+    for (unsigned i = 0; f->patching && i < problem->threads; ++i) {
+        murk_row_patching *p = &f->patching[i];
+        p->clear = murk_arena_array(arena, words, sizeof *p->clear);
+        p->set = murk_arena_array(arena, words, sizeof *p->set);
+        p->bits = murk_arena_array(arena, words, sizeof *p->bits);
+        p->come = murk_arena_array(arena, slots, sizeof *p->come);
+        p->slot = murk_arena_array(arena, slots, sizeof *p->slot);
+        p->clarity = murk_arena_array(arena, slots, sizeof *p->clarity);
+    }
+    if (arena->is_short) {
+        return murk_no_memory(err, "", "to change %zu rows",
+                              problem->candidates);
+    }
+    /* Slots of photons that stay are not gone. */
+    memset(is_gone, 0xff, words * sizeof *is_gone);
+    for (uint32_t i = 0; i < problem->photons; ++i) {
+        if (problem->patches.photon[i] != MURK_NO_PHOTON) {
+            const size_t slot = murk_layout_slot(layout, i);
+            is_gone[slot / 64] &= ~(UINT64_C(1) << (slot % 64));
+        }
+    }
+    f->is_gone = is_gone;
+    return MURK_OK;
+}
+
 /* Asks for all rows. */
 static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
                         bool may_exceed, _Atomic uint64_t *hash,
                         murk_error *err)
 {
     fill_task f = {.problem = problem, .matrix = matrix, .hash = hash};
-    murk_status status = MURK_OK;
+    murk_arena arena = {0};
+    murk_status status =
+        problem->patches.matrix ? prepare_patches(&f, &arena, err) : MURK_OK;
     murk_progress_begin("sense", problem->candidates, "candidates");
-    if (may_exceed && problem->candidates > 0) {
+    if (!status && may_exceed && problem->candidates > 0) {
         status = forecast(&f, err);
     }
     const murk_work_count work = murk_work_count_begin(problem);
@@ -250,6 +337,7 @@ static murk_status fill(murk_matrix *matrix, const murk_problem *problem,
                               &f);
     }
     murk_progress_end();
+    murk_arena_release(&arena);
     if (problem->rest) {
         problem->rest(problem->context);
     }
@@ -331,7 +419,11 @@ murk_status murk_matrix_make(murk_matrix **out, const murk_problem *problem,
         goto done;
     }
     /* Fill, and merge. */
-    status = murk_layout_init(&matrix->layout, problem, true, err);
+    status = problem->patches.matrix
+                 ? murk_layout_patch(&matrix->layout, problem,
+                                     &problem->patches.matrix->layout,
+                                     problem->patches.photon, err)
+                 : murk_layout_init(&matrix->layout, problem, true, err);
     if (!status) {
         matrix->is_distributed = is_distributed(problem);
         const uint64_t bytes_max =
@@ -465,6 +557,20 @@ bool murk_matrix_list(uint32_t *slot, uint16_t *clarity, size_t *n,
 void murk_matrix_drop(murk_matrix *matrix, size_t candidate)
 {
     murk_row_space_drop(matrix->space, &matrix->row[candidate]);
+}
+
+/* Photons that were added share words with photons of other places, which makes
+ * rows longer: if more than this share was added, the photons are put in order
+ * anew. */
+#define ADDED_SHARE_MAX 0.25
+
+bool murk_matrix_can_be_patched(const murk_matrix *matrix, size_t photons,
+                                size_t added, size_t gone)
+{
+    const double all = (double)(matrix->layout.added + added);
+    return matrix->layout.photons == photons - added + gone &&
+           !matrix->representative && !matrix->hash && !matrix->borrows_rows &&
+           murk_ranks_count() == 1 && all <= ADDED_SHARE_MAX * (double)photons;
 }
 
 const _Atomic uint64_t *murk_matrix_hashes(const murk_matrix *matrix)

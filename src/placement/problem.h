@@ -76,6 +76,36 @@ typedef struct murk_counters {
     size_t n;
 } murk_counters;
 
+/* The stored coverage matrix: the known environment. Each row has one of
+ * several formats (placement/row.h). */
+typedef struct murk_matrix murk_matrix;
+
+/* How a row differs from that of a candidate of an earlier matrix: in the
+ * entries of photons that the earlier matrix had not, and of those with a bit
+ * in again[photons / 64]. Of all these, `come` has those that are not 0. */
+typedef struct murk_row_patch {
+    size_t candidate; /* number in the earlier matrix */
+    const uint64_t *again;
+    murk_sparse_row come;
+    bool is_last; /* the earlier row is not read again */
+} murk_row_patch;
+
+/* In place of a number of a photon: the earlier matrix had not the photon. */
+#define MURK_NO_PHOTON UINT32_MAX
+
+/* Rows that are patched: murk_matrix_create() then needs not ask for all
+ * entries. */
+typedef struct murk_row_patches {
+    murk_matrix *matrix;    /* for which murk_matrix_can_be_patched() is true;
+                             * NULL: nothing is patched */
+    const uint32_t *photon; /* [photons] number of the same photon there, or
+                             * MURK_NO_PHOTON */
+    /* As murk_problem.get_row, but for the patch of a row; false if the earlier
+     * row is not known, and get_row() is then asked for the row. */
+    bool (*get)(void *context, unsigned worker, size_t candidate,
+                murk_row_patch *patch);
+} murk_row_patches;
+
 typedef struct murk_problem {
     size_t photons, candidates;
     const uint32_t
@@ -112,9 +142,10 @@ typedef struct murk_problem {
     const uint64_t *earlier_hash;
     void (*get_differences)(void *context, unsigned worker,
                             murk_sparse_row *gone, murk_sparse_row *come);
-    bool is_reweighed; /* the matrix will get other weights
-                          (murk_matrix_reweigh), so photons with equal columns
-                          are not merged */
+    murk_row_patches patches; /* get() has the context of get_row() */
+    bool is_reweighed;        /* the matrix will get other weights
+                                 (murk_matrix_reweigh), so photons with equal columns
+                                 are not merged */
     murk_combining combining;
     unsigned redundancy; /* entries of a photon that count: 0 or 1 means one,
                             the maximum is MURK_REDUNDANCY_MAX; with
@@ -144,10 +175,6 @@ static inline bool murk_matrix_spreads(double candidates, double photons,
 {
     return ranks > 1 && candidates * photons >= MURK_DISTRIBUTED_PAIRS;
 }
-
-/* The stored coverage matrix: the known environment. Each row has one of
- * several formats (placement/row.h). */
-typedef struct murk_matrix murk_matrix;
 
 /* Asks the problem for the row of each candidate, and reports progress. Rows
  * take at most memory_bytes of memory; if the matrix is larger, the other rows
@@ -185,6 +212,13 @@ bool murk_matrix_list(uint32_t *slot, uint16_t *clarity, size_t *n,
 /* Frees the stored row of a candidate, which is not read again. May be called
  * from any thread. */
 void murk_matrix_drop(murk_matrix *matrix, size_t candidate);
+
+/* True if a matrix for so many photons, `added` of which this one has not,
+ * while it has `gone` others, may be made of patched rows: if photons were not
+ * merged, all rows are here, and few photons were added since the photons were
+ * last put in order. */
+bool murk_matrix_can_be_patched(const murk_matrix *matrix, size_t photons,
+                                size_t added, size_t gone);
 
 /* [photons of the problem] a hash of the column of each photon, the sum of
  * words that depend on candidate and clarity; NULL unless the matrix was made

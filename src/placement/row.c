@@ -50,11 +50,9 @@ static size_t bytes_of_bits(const row_format *s, const murk_layout *layout)
  * takes 4 bytes an entry. Clarities add 2 bytes an entry. DENSE takes 2 bytes a
  * slot; if more than half of the slots have entries, that is less than twice
  * the size of PACKED, and faster. */
-static row_format format_of(const murk_layout *layout,
-                            const murk_sparse_row *entries, size_t words_used)
+static row_format format_of(const murk_layout *layout, size_t seen,
+                            bool is_clear, size_t words_used)
 {
-    const size_t seen = entries->seen;
-    const bool is_clear = murk_row_is_clear(entries);
     /* Bits first, sparse where that pays. */
     row_format s = {.kind = is_clear ? MURK_ROW_BITS : MURK_ROW_PACKED,
                     .words = layout->words};
@@ -110,7 +108,9 @@ size_t murk_row_bytes(const murk_layout *layout, const murk_sparse_row *entries)
 {
     size_t words_used;
     free(set_bits(layout, entries, &words_used));
-    return format_of(layout, entries, words_used).bytes;
+    return format_of(layout, entries->seen, murk_row_is_clear(entries),
+                     words_used)
+        .bytes;
 }
 
 /* Writes the clarities in the order of the slots. dense[slots] is scratch. */
@@ -215,7 +215,8 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
     if (!bits) {
         return false;
     }
-    const row_format s = format_of(layout, entries, words_used);
+    const row_format s = format_of(layout, entries->seen,
+                                   murk_row_is_clear(entries), words_used);
     murk_row row = {.kind = s.kind,
                     .seen = entries->seen,
                     .memory = murk_aligned_zeros(s.bytes),
@@ -238,4 +239,121 @@ bool murk_row_store(murk_row *out, const murk_layout *layout,
     }
     *out = row;
     return true;
+}
+
+/* ---- patches ---- */
+
+/* A word of the row before, and the same word after the patch. */
+typedef struct patched_word {
+    uint64_t before, now;
+    bool is_same; /* with the same clarities */
+} patched_word;
+
+/* Word w; *k is the number of the next stored word of the row before. */
+static patched_word patch_word(const murk_row *before,
+                               const murk_row_patching *p, size_t w, size_t *k)
+{
+    const bool is_stored = *k < before->words && murk_row_word(before, *k) == w;
+    const uint64_t old = is_stored ? before->bits[(*k)++] : 0;
+    return (patched_word){old, (old & ~p->clear[w]) | p->set[w],
+                          !((old & p->clear[w]) | p->set[w])};
+}
+
+/* The clarities of the patched row, which may be those of the row before. */
+static void patch_clarities(uint16_t *to, const murk_layout *layout,
+                            const murk_row *before, const murk_row_patching *p)
+{
+    const uint16_t *from = before->clarity;
+    size_t k = 0;
+    for (size_t w = 0; w < layout->words; ++w) {
+        const patched_word word = patch_word(before, p, w, &k);
+        if (word.is_same) {
+            const size_t n = (size_t)__builtin_popcountll(word.before);
+            memcpy(to, from, n * sizeof *to);
+            to += n;
+            from += n;
+            continue;
+        }
+        for (uint64_t left = word.before | word.now; left; left &= left - 1) {
+            const size_t bit = (size_t)__builtin_ctzll(left);
+            const uint16_t old = word.before >> bit & 1 ? *from++ : 0;
+            if (word.now >> bit & 1) {
+                *to++ = p->set[w] >> bit & 1 ? p->come[64 * w + bit] : old;
+            }
+        }
+    }
+}
+
+/* True if the row is PACKED before and after the patch, and stored; words that
+ * no entry changes are then copied as they are. */
+static bool store_patched_packed(murk_row *out, const murk_layout *layout,
+                                 const murk_row *before,
+                                 const murk_row_patching *p)
+{
+    size_t k = 0, words_used = 0, seen = 0;
+    if (before->kind != MURK_ROW_PACKED) {
+        return false;
+    }
+    for (size_t w = 0; w < layout->words; ++w) {
+        p->bits[w] = patch_word(before, p, w, &k).now;
+        if (p->bits[w]) {
+            ++words_used;
+            seen += (size_t)__builtin_popcountll(p->bits[w]);
+        }
+    }
+    const row_format s = format_of(layout, seen, false, words_used);
+    murk_row row = {.kind = s.kind,
+                    .seen = seen,
+                    .memory = s.kind == MURK_ROW_PACKED
+                                  ? murk_aligned_zeros(s.bytes)
+                                  : NULL,
+                    .memory_bytes = s.bytes};
+    if (!row.memory) {
+        return false;
+    }
+    /* The bits, then the clarities behind them. */
+    store_bits(&row, &s, layout, p->bits);
+    uint16_t *clarity =
+        (uint16_t *)((char *)row.memory + bytes_of_bits(&s, layout));
+    patch_clarities(clarity, layout, before, p);
+    row.clarity = clarity;
+    if (murk_row_is_clear(&(murk_sparse_row){seen, NULL, clarity})) {
+        free(row.memory); /* another format */
+        return false;
+    }
+    *out = row;
+    return true;
+}
+
+bool murk_row_store_patched(murk_row *out, const murk_layout *layout,
+                            const murk_row *before,
+                            const murk_layout *layout_before,
+                            const murk_row_patching *p)
+{
+    if (store_patched_packed(out, layout, before, p)) {
+        return true;
+    }
+    /* List the entries that stay, then those that come, and store them as if
+     * photons had the numbers of their slots. */
+    size_t n = 0, slot;
+    uint16_t clarity;
+    for (murk_row_walk walk = murk_row_begin(layout_before, before);
+         murk_row_next(&walk, &slot, &clarity);) {
+        if (clarity > 0 && !(p->clear[slot / 64] >> (slot % 64) & 1)) {
+            p->slot[n] = (uint32_t)slot;
+            p->clarity[n++] = clarity;
+        }
+    }
+    for (size_t w = 0; w < layout->words; ++w) {
+        for (uint64_t left = p->set[w]; left; left &= left - 1) {
+            slot = 64 * w + (size_t)__builtin_ctzll(left);
+            p->slot[n] = (uint32_t)slot;
+            p->clarity[n++] = p->come[slot];
+        }
+    }
+    murk_layout by_slot = *layout;
+    by_slot.photons = layout->slots;
+    by_slot.slot = NULL;
+    return murk_row_store(out, &by_slot,
+                          &(murk_sparse_row){n, p->slot, p->clarity});
 }

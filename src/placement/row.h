@@ -45,6 +45,25 @@ murk_row murk_row_borrow(const murk_sparse_row *entries);
  * memory. The caller frees out->memory. */
 bool murk_row_store(murk_row *out, const murk_layout *layout,
                     const murk_sparse_row *entries);
+
+/* How a row of an earlier layout becomes one of a layout of
+ * murk_layout_patch(), by slots of the latter; and scratch memory. */
+typedef struct murk_row_patching {
+    uint64_t *clear, *set; /* [words] slots whose entry ends, and, of slots that
+                            * had none or whose entry ends, those that get one
+                            */
+    uint16_t *come;        /* [slots] the clarity of slots of `set` */
+    uint64_t *bits;        /* [words] scratch */
+    uint32_t *slot;        /* [slots] scratch */
+    uint16_t *clarity;     /* [slots] scratch */
+} murk_row_patching;
+
+/* As murk_row_store(), but for the row `before` with a patch. */
+bool murk_row_store_patched(murk_row *out, const murk_layout *layout,
+                            const murk_row *before,
+                            const murk_layout *layout_before,
+                            const murk_row_patching *patching);
+
 /* True if all clarities are MURK_CLEAR. */
 bool murk_row_is_clear(const murk_sparse_row *entries);
 /* The most bytes that a row takes, whatever its entries. */

@@ -12,7 +12,6 @@
 #include <string.h>
 
 #define NO_CANDIDATE UINT32_MAX
-#define NO_PHOTON    UINT32_MAX
 
 /* With fewer candidates it takes longer to find the photons that are the same
  * than to test all sightlines (a choice). */
@@ -184,7 +183,7 @@ static bool list_by_slot(murk_earlier_rows *rows, size_t photons)
     /* Count, sum up, and fill; first[s + 1] is the end of slot s while it is
      * filled. */
     for (size_t i = 0; i < photons; ++i) {
-        if (rows->same[i] != NO_PHOTON) {
+        if (rows->same[i] != MURK_NO_PHOTON) {
             ++rows->first[slot_of(rows, rows->same[i]) + 2];
         }
     }
@@ -192,7 +191,7 @@ static bool list_by_slot(murk_earlier_rows *rows, size_t photons)
         rows->first[s + 2] += rows->first[s + 1];
     }
     for (size_t i = 0; i < photons; ++i) {
-        if (rows->same[i] != NO_PHOTON) {
+        if (rows->same[i] != MURK_NO_PHOTON) {
             const size_t slot = slot_of(rows, rows->same[i]);
             rows->photon[rows->first[slot + 1]++] = (uint32_t)i;
         }
@@ -206,7 +205,7 @@ static bool list_added(murk_earlier_rows *rows, const photon_list *now)
     murk_sight_changes *c = &rows->changes;
     size_t n = 0;
     for (size_t i = 0; i < now->n; ++i) {
-        n += rows->same[i] == NO_PHOTON;
+        n += rows->same[i] == MURK_NO_PHOTON;
     }
     uint32_t *added = murk_arena_array(&rows->arena, n, sizeof *added);
     murk_photon *record = murk_arena_array(&rows->arena, n, sizeof *record);
@@ -218,7 +217,7 @@ static bool list_added(murk_earlier_rows *rows, const photon_list *now)
     /* Fill the lists. */
     n = 0;
     for (size_t i = 0; i < now->n; ++i) {
-        if (rows->same[i] != NO_PHOTON) {
+        if (rows->same[i] != MURK_NO_PHOTON) {
             continue;
         }
         const bool is_volume = i >= now->first_volume;
@@ -243,7 +242,7 @@ static bool list_gone(murk_earlier_rows *rows, const photon_list *earlier,
     size_t n = earlier->n;
     for (size_t i = 0; is_there && i < photons; ++i) {
         const uint32_t k = rows->same[i];
-        if (k != NO_PHOTON) {
+        if (k != MURK_NO_PHOTON) {
             is_there[k / 64] |= UINT64_C(1) << (k % 64);
             --n;
         }
@@ -269,9 +268,9 @@ static bool list_gone(murk_earlier_rows *rows, const photon_list *earlier,
 static void check_light(murk_earlier_rows *rows, const murk_sight *before)
 {
     for (size_t i = 0; i < murk_sight_photons(rows->sight); ++i) {
-        if (rows->same[i] != NO_PHOTON &&
+        if (rows->same[i] != MURK_NO_PHOTON &&
             !murk_sight_has_same_light(rows->sight, i, before, rows->same[i])) {
-            rows->same[i] = NO_PHOTON;
+            rows->same[i] = MURK_NO_PHOTON;
         }
     }
 }
@@ -291,7 +290,7 @@ static bool find_photons(murk_earlier_rows *rows, const murk_traced *traced,
     }
     rows->same = murk_arena_array(&rows->arena, n, sizeof *rows->same);
     for (size_t i = 0; rows->same && i < n; ++i) {
-        rows->same[i] = NO_PHOTON;
+        rows->same[i] = MURK_NO_PHOTON;
     }
     /* Match the photons, then list those that only one of both has. */
     bool has_memory =
@@ -501,8 +500,36 @@ static void list_row(murk_earlier_scratch *s, size_t words,
         }
     }
     memset(s->seen, 0, words * sizeof *s->seen);
-    memset(s->again, 0, words * sizeof *s->again);
     *out = (murk_sparse_row){n, s->photon, are_clear ? NULL : s->clarity};
+}
+
+/* Tests the sightlines of a candidate that may differ from those of its earlier
+ * row. */
+static void test_again(const murk_earlier_rows *rows, unsigned worker,
+                       size_t candidate)
+{
+    murk_earlier_scratch *s = &rows->scratch[worker];
+    const size_t words = murk_sight_photons(rows->sight) / 64 + 1;
+    memset(s->again, 0, words * sizeof *s->again);
+    murk_sight_row_again(
+        rows->sight, worker, &rows->poses->pose[candidate], &rows->changes,
+        &rows->tested[rows->candidate[candidate]], s->again, &s->come);
+}
+
+/* A murk_row_patches.get. */
+static bool get_patch(void *context, unsigned worker, size_t candidate,
+                      murk_row_patch *patch)
+{
+    const murk_earlier_rows *rows = context;
+    const murk_earlier_scratch *s = &rows->scratch[worker];
+    const uint32_t before = rows->candidate[candidate];
+    if (before == NO_CANDIDATE ||
+        rows->tested[before].tested == MURK_NOT_TESTED) {
+        return false;
+    }
+    test_again(rows, worker, candidate);
+    *patch = (murk_row_patch){before, s->again, s->come, rows->frees_rows};
+    return true;
 }
 
 /* A murk_known_rows.get: what was tested again in place of the entries of the
@@ -524,9 +551,7 @@ static bool get_known(void *context, unsigned worker, size_t candidate,
         murk_matrix_drop(rows->matrix, before);
     }
     /* Test what may differ, and take the rest over. */
-    murk_sight_row_again(rows->sight, worker, &rows->poses->pose[candidate],
-                         &rows->changes, &rows->tested[before], s->again,
-                         &s->come);
+    test_again(rows, worker, candidate);
     take_over(rows, s, n);
     for (size_t k = 0; k < s->come.seen; ++k) {
         set_entry(s, s->come.photon[k],
@@ -584,7 +609,7 @@ static void take_hashes(murk_earlier_rows *rows, size_t photons,
     for (size_t i = 0; rows->hash && i < photons; ++i) {
         const uint32_t k = rows->same[i];
         rows->hash[i] =
-            k == NO_PHOTON ? 0 : atomic_load(&hash[rows->offset + k]);
+            k == MURK_NO_PHOTON ? 0 : atomic_load(&hash[rows->offset + k]);
     }
 }
 
@@ -635,13 +660,18 @@ murk_status murk_earlier_rows_create(murk_earlier_rows *out,
         murk_arena_release(&rows.arena);
         return MURK_OK;
     }
+    const murk_sight_changes *c = &rows.changes;
+    const bool is_patched = murk_matrix_can_be_patched(
+        rows.matrix, photons, c->added_surface + c->added_volume,
+        c->gone_photons);
     *out = rows;
-    out->known =
-        (murk_known_rows){.get = get_known,
-                          .context = out,
-                          .is_unmerged = !murk_matrix_hashes(rows.matrix),
-                          .earlier_hash = rows.hash,
-                          .get_differences = get_differences};
+    out->known = (murk_known_rows){
+        .get = get_known,
+        .context = out,
+        .is_unmerged = !murk_matrix_hashes(rows.matrix),
+        .earlier_hash = rows.hash,
+        .get_differences = get_differences,
+        .patches = {is_patched ? rows.matrix : NULL, rows.same, get_patch}};
     return MURK_OK;
 }
 

@@ -227,6 +227,7 @@ typedef struct murk_known_rows {
     const uint64_t *earlier_hash;
     void (*get_differences)(void *context, unsigned worker,
                             murk_sparse_row *gone, murk_sparse_row *come);
+    murk_row_patches patches; /* get() has the context of murk_known_rows */
 } murk_known_rows;
 
 /* In place of the type of a pose: there is no sensor, and its row is empty. */

@@ -308,6 +308,20 @@ static void get_row(void *context, unsigned worker, size_t candidate,
     }
 }
 
+/* A murk_row_patches.get. */
+static bool get_patch(void *context, unsigned worker, size_t candidate,
+                      murk_row_patch *patch)
+{
+    const murk_sight_problem *p = context;
+    const bool is_known =
+        p->pose[candidate].type != MURK_POSE_OF_NONE &&
+        p->known->patches.get(p->known->context, worker, candidate, patch);
+    if (is_known && p->tested) {
+        p->tested[candidate] = murk_sight_counts(p->sight, worker);
+    }
+    return is_known;
+}
+
 /* A murk_problem.get_differences. */
 static void get_differences(void *context, unsigned worker,
                             murk_sparse_row *gone, murk_sparse_row *come)
@@ -373,6 +387,11 @@ void murk_sight_problem_know(murk_sight_problem *problem,
     problem->known = known;
     problem->problem.earlier_hash = known ? known->earlier_hash : NULL;
     problem->problem.is_unmerged = known && known->is_unmerged;
+    problem->problem.patches = (murk_row_patches){0};
+    if (known && known->patches.matrix) {
+        problem->problem.patches = known->patches;
+        problem->problem.patches.get = get_patch;
+    }
 }
 
 const uint32_t *murk_sight_weights(const murk_sight *sight)

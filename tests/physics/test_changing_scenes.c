@@ -238,7 +238,7 @@ static void remove_files(void)
 /* What was seen in all sequences. */
 static struct {
     size_t steps, updated, taken, photons, photons_new, sightlines, reused,
-        left_out, missed, lost;
+        left_out, missed, lost, patched;
     bool is_taken[32]; /* [SETTINGS] a row was taken over */
     uint64_t photons_reused, photons_emitted;
     size_t lights, lights_missed;
@@ -543,6 +543,7 @@ static void check_rows(const step *s, const murk_earlier_plan *earlier,
         CHECK(!counts_differ);
         const murk_sight_work after = murk_sight_work_of(sight);
         ++total.taken;
+        total.patched += rows.known.patches.matrix != NULL;
         total.is_taken[setting] = true;
         total.lost += after.blocked_by_interfaces + after.totally_reflected;
         total.photons += murk_sight_photons(sight);
@@ -561,6 +562,52 @@ static void check_rows(const step *s, const murk_earlier_plan *earlier,
     }
     murk_earlier_rows_release(&rows);
     murk_sight_destroy(sight);
+}
+
+/* clarity[photons]: the row of a candidate in a matrix. */
+static void list_clarities(uint16_t *clarity, size_t photons,
+                           const murk_matrix *matrix, size_t candidate)
+{
+    const size_t slots = murk_matrix_slots(matrix);
+    uint32_t *slot = calloc(slots + 1, sizeof *slot);
+    uint16_t *entry = calloc(slots + 1, sizeof *entry),
+             *by_slot = calloc(slots + 1, sizeof *by_slot);
+    size_t n;
+    CHECK(murk_matrix_list(slot, entry, &n, matrix, candidate));
+    for (size_t k = 0; k < n; ++k) {
+        by_slot[slot[k]] = entry[k];
+    }
+    for (size_t i = 0; i < photons; ++i) {
+        clarity[i] = by_slot[murk_matrix_slot(matrix, (uint32_t)i)];
+    }
+    free(slot);
+    free(entry);
+    free(by_slot);
+}
+
+/* The stored rows, of which some were patched, are those of a run of its own.
+ */
+static void check_matrix(const step *s, const step *alone)
+{
+    murk_error err = {0};
+    murk_sight *sight =
+        NULL; /* which knows the number of photons, or targets */
+    CHECK(murk_plan_sight_again(&sight, s->stage, s->traced, THREADS, &err) ==
+          MURK_OK);
+    const size_t photons = murk_sight_photons(sight);
+    murk_sight_destroy(sight);
+    uint16_t *ours = calloc(photons + 1, sizeof *ours),
+             *theirs = calloc(photons + 1, sizeof *theirs);
+    CHECK(alone->plan.matrix);
+    CHECK(murk_matrix_pairs(s->plan.matrix) ==
+          murk_matrix_pairs(alone->plan.matrix));
+    for (size_t j = 0; j < s->plan.poses->count; ++j) {
+        list_clarities(ours, photons, s->plan.matrix, j);
+        list_clarities(theirs, photons, alone->plan.matrix, j);
+        CHECK(memcmp(ours, theirs, photons * sizeof *ours) == 0);
+    }
+    free(ours);
+    free(theirs);
 }
 
 /* ---- sequences ---- */
@@ -638,6 +685,7 @@ static void run_sequence(uint32_t sequence)
               next.plan.totally_reflected == alone.plan.totally_reflected);
         CHECK(memcmp(p->sensor, q->sensor, p->count * sizeof *p->sensor) == 0);
         CHECK(!last.plan.matrix); /* it is used up */
+        check_matrix(&next, &alone);
         murk_plan_result_release(&alone.plan);
         step_release(&last);
         last = next;
@@ -664,10 +712,11 @@ int main(int argc, char **argv)
            total.updated, total.steps,
            100 * (double)total.photons_reused / (double)total.photons_emitted,
            total.lights, total.lights_missed);
-    printf("%zu of %zu steps took rows over; %.1f %% of the photons are new, "
+    printf("%zu of %zu steps took rows over, %zu patched them; %.1f %% of the "
+           "photons are new, "
            "%.1f %% of the sightlines reused; %zu of %zu boxes left out are "
            "not noticed\n",
-           total.taken, total.steps,
+           total.taken, total.steps, total.patched,
            100 * (double)total.photons_new / (double)total.photons,
            100 * (double)total.reused / (double)total.sightlines, total.missed,
            total.left_out);
@@ -682,6 +731,7 @@ int main(int argc, char **argv)
     CHECK(3 * total.updated > total.steps);
     CHECK(20 * total.lights_missed <= total.lights);
     CHECK(3 * total.taken > 2 * total.steps);
+    CHECK(4 * total.patched > total.steps);
     CHECK(2 * total.reused > total.sightlines);
     CHECK(2 * total.left_out > (size_t)sequences &&
           20 * total.missed <= total.left_out);
