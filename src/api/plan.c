@@ -184,10 +184,12 @@ static murk_status plan_make(murk_plan **out, murk_world *world,
         world->desc->placement.over != MURK_SCENE_OBJECTIVE_NONE;
     murk_status status = MURK_NO_MEMORY;
     if (plan && earlier) {
+        earlier->plan.held.stage = earlier->session.stage;
         before =
             (murk_earlier_plan){earlier->session.stage, earlier->session.traced,
                                 earlier->plan.poses,    earlier->plan.tested,
-                                &earlier->plan.matrix,  0};
+                                &earlier->plan.matrix,  0,
+                                &earlier->plan.held};
         plan->plan.earlier = &before;
     }
     if (plan && earlier && !m->is_step) { /* steps name a file */

@@ -201,6 +201,16 @@ static murk_status sum_up_jitter(murk_condition_plans *plans,
 
 /* ---- other light ---- */
 
+/* Held-out photons are few enough to stay for the next step: they take at most
+ * an eighth of the memory for rows, of which two steps share half each. */
+#define HELD_SHARE_MAX 0.125
+
+static bool may_hold(const murk_scene_desc *scene, size_t photons)
+{
+    return (double)(photons * sizeof(murk_photon)) <=
+           HELD_SHARE_MAX * scene->placement.memory_mb * MURK_BYTES_PER_MB;
+}
+
 /* The coverage of the chosen plan in light of another stream in condition c. In
  * held-out light also the coverage of all plans and the jitter. */
 static murk_status measure_in(murk_condition_plans *plans,
@@ -225,9 +235,13 @@ static murk_status measure_in(murk_condition_plans *plans,
         (!is_held_out || draws_of(plans) == 0)) {
         const size_t as_in_sample =
             murk_sight_photons(plans->conditions->condition[c].sight);
+        const bool holds = is_held_out && plan->keeps_matrix &&
+                           may_hold(stage->scene, as_in_sample);
         status = murk_plan_measure_streamed(
             out, &plan->trace_s, stage, numbers, chosen->sensor, chosen->count,
-            as_in_sample + as_in_sample / RESERVE, threads, err);
+            as_in_sample + as_in_sample / RESERVE,
+            plan->earlier ? plan->earlier->held_out : NULL,
+            holds ? &plan->held : NULL, threads, err);
         if (!status && is_held_out) {
             plans->plan[plans->chosen].held_out[c] = out->total;
         }

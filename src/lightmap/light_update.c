@@ -8,6 +8,7 @@
 #include "base/machine.h"
 #include "base/progress.h"
 #include "base/ranks.h"
+#include "base/sort.h"
 #include "lightmap/emission.h"
 #include "lightmap/rank_exchange.h"
 #include "lightmap/watching.h"
@@ -104,8 +105,9 @@ static bool starts_alike(const updating *u, const start_comparison *c,
         return true;
     }
     const uint32_t seed = u->stage->scene->seed;
-    const murk_ray p = murk_sources_emit_in(a, channel, seed, 0, photon),
-                   q = murk_sources_emit_in(b, channel, seed, 0, photon);
+    const uint32_t stream = u->traced->stream;
+    const murk_ray p = murk_sources_emit_in(a, channel, seed, stream, photon),
+                   q = murk_sources_emit_in(b, channel, seed, stream, photon);
     return memcmp(&p.origin, &q.origin, sizeof p.origin) == 0 &&
            memcmp(&p.direction, &q.direction, sizeof p.direction) == 0 &&
            p.is_spent == q.is_spent;
@@ -130,6 +132,7 @@ static void list_photons(updating *u, uint64_t cells, size_t max)
 static murk_trace trace_of(const updating *u, const murk_stage *stage)
 {
     murk_trace trace = murk_stage_trace(stage);
+    trace.stream = u->traced->stream;
     trace.threads = u->threads;
     trace.tallies = u->traced->tallies;
     trace.photon = u->photon;
@@ -205,17 +208,24 @@ static murk_status take_over(murk_record_list *list, const murk_photon_map *map,
     return status;
 }
 
+/* A bit for each listed photon, for free(). NULL when out of memory. */
+static uint64_t *list_bits(const updating *u)
+{
+    uint64_t *is_listed =
+        calloc(u->earlier->emitted / 64 + 1, sizeof *is_listed);
+    for (size_t k = 0; is_listed && k < u->n; ++k) {
+        is_listed[u->photon[k] / 64] |= UINT64_C(1) << (u->photon[k] % 64);
+    }
+    return is_listed;
+}
+
 /* Adds the records of the photons that are not listed to those that were traced
  * now. */
 static murk_status take_over_both(const updating *u, murk_error *err)
 {
-    uint64_t *is_listed =
-        calloc(u->earlier->emitted / 64 + 1, sizeof *is_listed);
+    uint64_t *is_listed = list_bits(u);
     if (!is_listed) {
         return murk_no_memory(err, "", "for the photons that are traced again");
-    }
-    for (size_t k = 0; k < u->n; ++k) {
-        is_listed[u->photon[k] / 64] |= UINT64_C(1) << (u->photon[k] % 64);
     }
     murk_status status =
         take_over(&u->buffers->surface, u->earlier->surface, is_listed, err);
@@ -246,9 +256,9 @@ static murk_status build_maps(const updating *u, murk_error *err)
 /* True if both stages trace photons by the same rules, so that a photon may be
  * the same in both. */
 static bool has_same_rules(const murk_stage *a, const murk_stage *b,
-                           const murk_traced *earlier)
+                           const murk_traced *earlier, uint32_t stream)
 {
-    return murk_can_watch(b) && earlier->cells && earlier->stream == 0 &&
+    return murk_can_watch(b) && earlier->cells && earlier->stream == stream &&
            memcmp(&a->scene->origin, &b->scene->origin,
                   sizeof a->scene->origin) == 0 &&
            strcmp(a->scene->rules_key, b->scene->rules_key) == 0 &&
@@ -266,7 +276,7 @@ static bool has_same_rules(const murk_stage *a, const murk_stage *b,
 static murk_status prepare(updating *u, uint64_t cells, murk_error *err)
 {
     const size_t max = (size_t)(LISTED_SHARE_MAX * (double)u->earlier->emitted);
-    u->traced = murk_traced_create(u->stage, 0, err);
+    u->traced = murk_traced_create(u->stage, u->earlier->stream, err);
     u->photon = malloc((max + 1) * sizeof *u->photon);
     if (!u->traced || !u->photon) {
         return murk_no_memory(err, "", "to update the light");
@@ -292,15 +302,16 @@ static murk_status copy_cells(const updating *u, murk_error *err)
     return status;
 }
 
-/* Traces the listed photons twice, and joins the result with what stays. */
-static murk_status update(updating *u, murk_error *err)
+/* Traces the listed photons twice: ledger and tallies are then complete, and
+ * the buffers have the new records in watts. Tallies belong to stream 0. */
+static murk_status trace_twice(updating *u, murk_error *err)
 {
     murk_traced *traced = u->traced;
     u->buffers = murk_record_buffers_create(&u->stage->scene->photons);
     murk_status status = u->buffers
                              ? copy_cells(u, err)
                              : murk_no_memory(err, "", "to update the light");
-    if (!status) {
+    if (!status && traced->stream == 0) {
         status = murk_tallies_of_stage(&traced->tallies, u->stage, u->threads,
                                        murk_machine_memory_bytes(), err);
     }
@@ -319,10 +330,19 @@ static murk_status update(updating *u, murk_error *err)
                                    .ledger = traced->ledger};
         status = murk_emission_check_losses(&all, err);
     }
-    /* The new records come in shares of a packet, the others in watts. */
+    /* The new records come in shares of a packet, the earlier ones in watts. */
     if (!status) {
         murk_record_buffers_to_watts(u->buffers, traced->packet_w,
                                      u->stage->scene->bands);
+    }
+    return status;
+}
+
+/* Traces the listed photons twice, and joins the result with what stays. */
+static murk_status update(updating *u, murk_error *err)
+{
+    murk_status status = trace_twice(u, err);
+    if (!status) {
         status = take_over_both(u, err);
     }
     return status ? status : build_maps(u, err);
@@ -362,37 +382,57 @@ static bool pays(const updating *u, const murk_box *watched)
     return share <= (is_coarse ? FEW_SHARE : LISTED_SHARE_MAX);
 }
 
+/* Finds what has changed and, if an update may pay (*can), prepares it. The
+ * cells of *watched are to be noted if it does not. */
+static murk_status begin(updating *u, bool *can, murk_box *watched,
+                         uint32_t stream, murk_error *err)
+{
+    const murk_stage *stage = u->stage;
+    const murk_box *domain = &stage->world.domain.box;
+    murk_box_list changed;
+    uint64_t cells = 0;
+    murk_status status =
+        murk_changed_world(&changed, u->before, stage, MURK_USE_LIGHT, err);
+    *can = false;
+    if (status) {
+        return status;
+    }
+    *watched = surroundings(&changed, domain);
+    /* Light from outside may be attenuated by all media on its way. */
+    bool may = has_same_rules(u->before, stage, u->earlier, stream) &&
+               !(stage->world.continues && (changed.n > 0 || changed.are_all));
+    if (may) {
+        may = murk_path_cells_of(&cells, u->earlier->cells, &changed, domain);
+    }
+    if (may) {
+        status = prepare(u, cells, err);
+        *can = !status && pays(u, watched);
+    }
+    return status;
+}
+
+static void end(updating *u)
+{
+    murk_record_buffers_destroy(u->buffers);
+    murk_traced_destroy(u->traced);
+    free(u->photon);
+}
+
 murk_status murk_lightmap_update(murk_traced **out, uint64_t *reused,
                                  const murk_stage *stage,
                                  const murk_traced *earlier,
                                  const murk_stage *earlier_stage,
                                  unsigned threads, murk_error *err)
 {
-    const murk_box *domain = &stage->world.domain.box;
-    murk_box_list changed;
-    uint64_t cells = 0;
     const double begun_s = murk_clock_s();
-    *reused = 0;
-    murk_status status =
-        murk_changed_world(&changed, earlier_stage, stage, MURK_USE_LIGHT, err);
-    if (status) {
-        return status;
-    }
-    const murk_box watched = surroundings(&changed, domain);
     updating u = {.stage = stage,
                   .before = earlier_stage,
                   .earlier = earlier,
                   .threads = threads};
-    /* Light from outside may be attenuated by all media on its way. */
-    bool can = has_same_rules(earlier_stage, stage, earlier) &&
-               !(stage->world.continues && (changed.n > 0 || changed.are_all));
-    if (can) {
-        can = murk_path_cells_of(&cells, earlier->cells, &changed, domain);
-    }
-    if (can) {
-        status = prepare(&u, cells, err);
-        can = !status && pays(&u, &watched);
-    }
+    murk_box watched;
+    bool can;
+    *reused = 0;
+    murk_status status = begin(&u, &can, &watched, 0, err);
     if (can) {
         status = update(&u, err);
     }
@@ -403,11 +443,210 @@ murk_status murk_lightmap_update(murk_traced **out, uint64_t *reused,
         *out = u.traced;
         u.traced = NULL;
     }
-    murk_record_buffers_destroy(u.buffers);
-    murk_traced_destroy(u.traced);
-    free(u.photon);
-    if (can || status) {
-        return status;
+    end(&u);
+    return can || status ? status
+                         : murk_lightmap_trace_watched(out, stage, &watched,
+                                                       threads, err);
+}
+
+/* ---- light that is passed to a sink ---- */
+
+/* Between the photons and the sink of the caller. */
+typedef struct passing {
+    murk_passed_light *light;
+    bool keeps; /* the records are noted */
+    murk_record_batch_sink each;
+    void *context;
+} passing;
+
+/* Appends n records to a list. */
+static murk_status put_all(murk_record_list *list, const murk_photon *photon,
+                           size_t n, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t i = 0; i < n && !status; ++i) {
+        status = murk_record_list_put(list, &photon[i], err);
     }
-    return murk_lightmap_trace_watched(out, stage, &watched, threads, err);
+    return status;
+}
+
+/* A murk_record_batch_sink. */
+static murk_status pass_on(void *context, const murk_record_batch *batch,
+                           murk_error *err)
+{
+    const passing *p = context;
+    murk_status status = MURK_OK;
+    if (p->keeps) {
+        status =
+            put_all(&p->light->surface, batch->surface, batch->n_surface, err);
+    }
+    if (p->keeps && !status) {
+        status =
+            put_all(&p->light->volume, batch->volume, batch->n_volume, err);
+    }
+    return status ? status : p->each(p->context, batch, err);
+}
+
+/* The numbers of the records of a list by emitted photon, those of one photon
+ * in the order in which they came; for free(). NULL when out of memory. */
+static uint64_t *order_of(const murk_record_list *list)
+{
+    uint64_t *order = malloc(list->n * sizeof *order + 1);
+    for (size_t i = 0; order && i < list->n; ++i) {
+        order[i] = (uint64_t)murk_photon_emitted(&list->photon[i]) << 32 | i;
+    }
+    if (order) {
+        murk_sort_uint64(order, list->n);
+    }
+    return order;
+}
+
+/* The records of one map while they are joined. */
+typedef struct joining {
+    const murk_record_list *before, *traced;
+    const uint64_t *order;    /* of `traced` */
+    size_t at_before, at_new; /* the next ones */
+    murk_record_list *out;
+} joining;
+
+/* Appends the records of the photons below `end`: those that were traced now,
+ * and of the other photons the earlier ones. */
+static murk_status join_until(joining *j, const uint64_t *is_listed,
+                              uint64_t end, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    while (!status) {
+        const murk_photon *a = j->at_before < j->before->n
+                                   ? &j->before->photon[j->at_before]
+                                   : NULL;
+        const murk_photon *b =
+            j->at_new < j->traced->n
+                ? &j->traced->photon[(uint32_t)j->order[j->at_new]]
+                : NULL;
+        const uint64_t of_a = a ? murk_photon_emitted(a) : UINT64_MAX,
+                       of_b = b ? murk_photon_emitted(b) : UINT64_MAX;
+        if ((of_a < of_b ? of_a : of_b) >= end) {
+            break;
+        }
+        if (of_a <= of_b) { /* a photon with both is listed */
+            ++j->at_before;
+            if (!(is_listed[of_a / 64] >> (of_a % 64) & 1)) {
+                status = murk_record_list_put(j->out, a, err);
+            }
+        } else {
+            ++j->at_new;
+            status = murk_record_list_put(j->out, b, err);
+        }
+    }
+    return status;
+}
+
+/* Joins both maps batch by batch, and passes each batch to the sink. */
+static murk_status join_batches(const updating *u, joining map[2],
+                                const uint64_t *is_listed, const passing *p,
+                                murk_error *err)
+{
+    const uint64_t emitted = u->traced->emitted;
+    murk_status status = MURK_OK;
+    for (uint64_t first = 0, k = 0; first < emitted && !status; ++k) {
+        const uint64_t end = first + MURK_BATCH_PHOTONS < emitted
+                                 ? first + MURK_BATCH_PHOTONS
+                                 : emitted;
+        const size_t n[2] = {map[0].out->n, map[1].out->n};
+        /* The records of the batch follow those of the batches before. */
+        status = join_until(&map[0], is_listed, end, err);
+        if (!status) {
+            status = join_until(&map[1], is_listed, end, err);
+        }
+        if (!status) {
+            const murk_record_batch batch = {
+                .number = k,
+                .first = first,
+                .last = end - 1,
+                .surface = map[0].out->n ? map[0].out->photon + n[0] : NULL,
+                .volume = map[1].out->n ? map[1].out->photon + n[1] : NULL,
+                .n_surface = map[0].out->n - n[0],
+                .n_volume = map[1].out->n - n[1]};
+            status = p->each(p->context, &batch, err);
+        }
+        first = end;
+    }
+    return status;
+}
+
+/* Joins the records of the photons that were traced with the earlier ones. */
+static murk_status join(const updating *u, const murk_passed_light *earlier,
+                        const passing *p, murk_error *err)
+{
+    uint64_t *is_listed = list_bits(u),
+             *surface = order_of(&u->buffers->surface),
+             *volume = order_of(&u->buffers->volume);
+    joining map[2] = {{.before = &earlier->surface,
+                       .traced = &u->buffers->surface,
+                       .order = surface,
+                       .out = &p->light->surface},
+                      {.before = &earlier->volume,
+                       .traced = &u->buffers->volume,
+                       .order = volume,
+                       .out = &p->light->volume}};
+    const murk_status status =
+        is_listed && surface && volume
+            ? join_batches(u, map, is_listed, p, err)
+            : murk_no_memory(err, "", "for the photons that are traced again");
+    free(is_listed);
+    free(surface);
+    free(volume);
+    return status;
+}
+
+void murk_passed_light_release(murk_passed_light *light)
+{
+    murk_traced_destroy(light->traced);
+    murk_record_list_release(&light->surface);
+    murk_record_list_release(&light->volume);
+    *light = (murk_passed_light){0};
+}
+
+/* True if a run of all photons might be refused for the number of records. */
+static bool may_exceed(const updating *u, const murk_passed_light *earlier)
+{
+    return earlier->surface.n + earlier->volume.n + u->buffers->stored >
+           u->stage->scene->photons.max_stored;
+}
+
+murk_status murk_lightmap_update_passed(
+    murk_passed_light *out, const murk_stage *stage, uint32_t stream,
+    const murk_passed_light *earlier, unsigned threads, double bytes_each,
+    murk_record_batch_sink each, void *context, murk_error *err)
+{
+    const double begun_s = murk_clock_s();
+    const passing p = {out, murk_can_watch(stage), each, context};
+    updating u = {.stage = stage, .threads = threads};
+    murk_box watched = stage->world.domain.box;
+    murk_status status = MURK_OK;
+    bool can = false;
+    *out = (murk_passed_light){0};
+    if (earlier && earlier->traced) {
+        u.earlier = earlier->traced;
+        u.before = earlier->stage;
+        status = begin(&u, &can, &watched, stream, err);
+    }
+    if (can) {
+        status = trace_twice(&u, err);
+        can = status || !may_exceed(&u, earlier);
+    }
+    if (can && !status) {
+        status = join(&u, earlier, &p, err);
+    }
+    /* Hand over, or trace all. */
+    if (can && !status) {
+        u.traced->trace_s = murk_clock_s() - begun_s;
+        out->traced = u.traced;
+        u.traced = NULL;
+    }
+    end(&u);
+    return can || status ? status
+                         : murk_lightmap_pass(&out->traced, stage, stream,
+                                              threads, bytes_each, pass_on,
+                                              (void *)&p, &watched, err);
 }

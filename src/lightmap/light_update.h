@@ -20,4 +20,25 @@ murk_status murk_lightmap_update(murk_traced **out, uint64_t *reused,
                                  const murk_stage *earlier_stage,
                                  unsigned threads, murk_error *err);
 
+/* Light whose records were passed to a sink, and these records, in the order in
+ * which they were passed. */
+typedef struct murk_passed_light {
+    const murk_stage *stage; /* that it was traced in; set by the caller who
+                              * gives the light as the earlier one, borrowed */
+    murk_traced *traced;     /* NULL: there is no light */
+    murk_record_list surface, volume;
+} murk_passed_light;
+
+void murk_passed_light_release(murk_passed_light *light); /* {0} is fine */
+
+/* The light of a stream of murk_lightmap_pass(), with photons.emit, whose sink
+ * gets the same batches in every bit, from `earlier` of the same stream, NULL:
+ * from none, as murk_lightmap_update() makes it. If paths cannot be noted, *out
+ * has no records. The caller releases *out, also after a failure, and `earlier`
+ * stays as it is. Fails as murk_lightmap_pass(). */
+murk_status murk_lightmap_update_passed(
+    murk_passed_light *out, const murk_stage *stage, uint32_t stream,
+    const murk_passed_light *earlier, unsigned threads, double bytes_each,
+    murk_record_batch_sink each, void *context, murk_error *err);
+
 #endif

@@ -508,14 +508,16 @@ murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
 murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads,
                                double bytes_each, murk_record_batch_sink each,
-                               void *context, murk_error *err)
+                               void *context, const murk_box *watched,
+                               murk_error *err)
 {
     streaming s = {.each = each,
                    .context = context,
                    .bands = stage->scene->bands,
                    .passes = true,
                    .bytes_each = bytes_each};
-    return trace_light(out, stage, stream, threads, &s, NULL, NULL, NULL, err);
+    return trace_light(out, stage, stream, threads, &s, NULL, NULL, watched,
+                       err);
 }
 
 murk_traced *murk_traced_create(const murk_stage *stage, uint32_t stream,

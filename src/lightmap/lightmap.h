@@ -116,11 +116,13 @@ murk_status murk_lightmap_stream(murk_traced **out, const murk_stage *stage,
 
 /* The same for any stream, and no record is kept: both maps stay empty. The
  * sink takes `bytes_each` bytes for each record; the run is refused if that
- * exceeds the free memory. */
+ * exceeds the free memory. watched: as in murk_lightmap_trace_watched(), or
+ * NULL. */
 murk_status murk_lightmap_pass(murk_traced **out, const murk_stage *stage,
                                uint32_t stream, unsigned threads,
                                double bytes_each, murk_record_batch_sink each,
-                               void *context, murk_error *err);
+                               void *context, const murk_box *watched,
+                               murk_error *err);
 
 /* A light without photons and without maps (NULL), to be filled. Returns NULL,
  * with err set, when out of memory. */

@@ -10,7 +10,7 @@
 #define MURK_PLAN_EARLIER_H
 
 #include "base/arena.h"
-#include "lightmap/lightmap.h"
+#include "lightmap/light_update.h"
 #include "plan/poses.h"
 #include "sensing/sight.h"
 #include "world/stage.h"
@@ -27,6 +27,8 @@ typedef struct murk_earlier_plan {
     murk_matrix **matrix;
     size_t first; /* number of the first photon of this light in the matrix,
                    * which may have those of other steps, too */
+    const murk_passed_light *held_out; /* without light if it was not stored;
+                                        * NULL: none */
 } murk_earlier_plan;
 
 /* Scratch memory of a thread. */

@@ -550,6 +550,7 @@ murk_status murk_plan_result_make_dark(murk_plan_result *plan,
 void murk_plan_result_release(murk_plan_result *plan)
 {
     murk_matrix_destroy(plan->matrix);
+    murk_passed_light_release(&plan->held);
     free(plan->tested);
     murk_candidates_destroy(plan->candidates);
     murk_poses_destroy(plan->poses);

@@ -107,12 +107,16 @@ bool murk_plan_can_stream(const murk_stage *stage);
 
 /* Measures the coverage of sensor[n] by the photons of a stream, which are
  * tested while they are traced and not stored (sensing/coverage_stream.h).
- * `expected`: about so many records will come. Adds the time to *trace_s. Fails
- * as murk_plan_trace_stream() and murk_coverage_result_measure(). */
+ * `expected`: about so many records will come. Adds the time to *trace_s.
+ * passed: unless NULL, gets the photons, which are then taken from `earlier` as
+ * far as they are the same (NULL: from none); the caller releases it. Fails as
+ * murk_plan_trace_stream() and murk_coverage_result_measure(). */
 murk_status murk_plan_measure_streamed(murk_coverage_result *out,
                                        double *trace_s, const murk_stage *stage,
                                        uint32_t stream, const murk_pose *sensor,
                                        size_t n, size_t expected,
+                                       const murk_passed_light *earlier,
+                                       murk_passed_light *passed,
                                        unsigned threads, murk_error *err);
 
 /* True if sensors cover other photons or targets in another stream; false if
@@ -145,6 +149,9 @@ typedef struct murk_plan_result {
                                        * are taken over where they are the
                                        * same; NULL: none. Its matrix is
                                        * destroyed by then */
+    murk_passed_light held; /* with keeps_matrix, the held-out light, if it was
+                             * not stored otherwise and takes at most an eighth
+                             * of memory_mb */
     murk_matrix *matrix; /* of a known environment, with keeps_matrix, unless it
                           * takes more than half of memory_mb; else NULL */
     murk_row_counts *tested; /* [poses] sightlines of each row, with `matrix`;

@@ -255,26 +255,33 @@ murk_status murk_plan_measure_streamed(murk_coverage_result *out,
                                        double *trace_s, const murk_stage *stage,
                                        uint32_t stream, const murk_pose *sensor,
                                        size_t n, size_t expected,
+                                       const murk_passed_light *earlier,
+                                       murk_passed_light *passed,
                                        unsigned threads, murk_error *err)
 {
     const seen_maps none = {0};
     murk_sight_desc desc = describe_onto(stage, &none, threads);
     murk_sensor_type *types = murk_poses_types(stage->scene);
     murk_coverage_stream *coverage = NULL;
-    murk_traced *traced = NULL;
+    murk_passed_light light = {0};
     if (!types) {
         return murk_no_memory(err, stage->scene->sensors.where,
                               "for the sensors' types");
     }
     desc.type = types;
-    /* Test the photons while they are traced. */
+    /* Test the photons while they are traced, or taken over. */
+    const double bytes_each = murk_coverage_stream_bytes(desc.redundancy);
     murk_status status =
         murk_coverage_stream_create(&coverage, &desc, sensor, n, expected, err);
-    if (!status) {
-        status = murk_lightmap_pass(&traced, stage, stream, threads,
-                                    murk_coverage_stream_bytes(desc.redundancy),
-                                    add_batch, coverage, err);
+    if (!status && passed) {
+        status = murk_lightmap_update_passed(
+            &light, stage, stream, earlier, threads,
+            bytes_each + sizeof(murk_photon), add_batch, coverage, err);
+    } else if (!status) {
+        status = murk_lightmap_pass(&light.traced, stage, stream, threads,
+                                    bytes_each, add_batch, coverage, NULL, err);
     }
+    const murk_traced *traced = light.traced;
     /* Sum up. With photons.emit records come in watts. */
     if (!status) {
         *trace_s += traced->trace_s;
@@ -282,7 +289,11 @@ murk_status murk_plan_measure_streamed(murk_coverage_result *out,
             out, coverage, stage->scene->photons.emit ? NULL : traced->packet_w,
             stage->scene->bands, traced->emitted, err);
     }
-    murk_traced_destroy(traced);
+    if (!status && passed) {
+        *passed = light;
+        light = (murk_passed_light){0};
+    }
+    murk_passed_light_release(&light);
     murk_coverage_stream_destroy(coverage);
     free(types);
     return status;

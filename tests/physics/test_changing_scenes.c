@@ -249,6 +249,7 @@ static struct {
 typedef struct step {
     murk_stage *stage;
     murk_traced *traced;
+    murk_passed_light passed; /* of another stream */
     murk_plan_result plan;
 } step;
 
@@ -323,6 +324,58 @@ static void leave_cells_out(const step *s, const murk_earlier_plan *earlier,
     cells->crossed = crossed;
 }
 
+/* ---- light that is passed to a sink ---- */
+
+#define OTHER_STREAM 1
+
+/* A murk_record_batch_sink: a sum that depends on the order of all batches and
+ * records. */
+static murk_status add_up(void *context, const murk_record_batch *batch,
+                          murk_error *err)
+{
+    uint64_t *sum = context;
+    (void)err;
+    const struct {
+        const murk_photon *photon;
+        size_t n;
+    } map[2] = {{batch->surface, batch->n_surface},
+                {batch->volume, batch->n_volume}};
+    *sum = 31 * (31 * *sum + batch->number) + batch->first + 7 * batch->last;
+    for (size_t m = 0; m < 2; ++m) {
+        const unsigned char *byte = (const unsigned char *)map[m].photon;
+        for (size_t i = 0; i < map[m].n * sizeof(murk_photon); ++i) {
+            *sum = 1099511628211U * (*sum ^ byte[i]);
+        }
+        *sum = 31 * *sum + map[m].n;
+    }
+    return MURK_OK;
+}
+
+/* The light of another stream: that of the step before updated, against all
+ * photons traced anew. */
+static void pass(step *s, const murk_earlier_plan *earlier)
+{
+    murk_error err = {0};
+    murk_passed_light fresh;
+    uint64_t sum = 0, fresh_sum = 0;
+    CHECK(murk_lightmap_update_passed(&s->passed, s->stage, OTHER_STREAM,
+                                      earlier ? earlier->held_out : NULL,
+                                      THREADS, sizeof(murk_photon), add_up,
+                                      &sum, &err) == MURK_OK);
+    s->passed.stage = s->stage;
+    CHECK(murk_lightmap_update_passed(&fresh, s->stage, OTHER_STREAM, NULL,
+                                      THREADS, sizeof(murk_photon), add_up,
+                                      &fresh_sum, &err) == MURK_OK);
+    CHECK_TEXT(err.text, "");
+    CHECK(sum == fresh_sum);
+    CHECK(memcmp(&s->passed.traced->ledger->photons,
+                 &fresh.traced->ledger->photons,
+                 sizeof fresh.traced->ledger->photons) == 0);
+    murk_passed_light_release(&fresh);
+}
+
+/* ---- the light of a step ---- */
+
 /* The light of a step: that of the step before updated, against all photons
  * traced anew. */
 static void trace(step *s, const murk_earlier_plan *earlier,
@@ -375,7 +428,9 @@ static void step_make(step *out, const size_t choice[KEYS], size_t setting,
     if (!out->stage) {
         exit(check_done());
     }
+    /* The light, and what the plan needs. */
     trace(out, earlier, are_same_lamps);
+    pass(out, earlier);
     prepare(out, earlier);
 }
 
@@ -392,6 +447,7 @@ static void step_release(step *s)
 {
     murk_plan_result_release(&s->plan);
     murk_traced_destroy(s->traced);
+    murk_passed_light_release(&s->passed);
     stage_text_destroy(s->stage);
 }
 
@@ -663,7 +719,8 @@ static void run_sequence(uint32_t sequence)
                                            .traced = last.traced,
                                            .poses = last.plan.poses,
                                            .tested = last.plan.tested,
-                                           .matrix = &last.plan.matrix};
+                                           .matrix = &last.plan.matrix,
+                                           .held_out = &last.passed};
         size_t before[KEYS];
         memcpy(before, choice, sizeof before);
         change(choice, sequence, i);
@@ -672,7 +729,7 @@ static void run_sequence(uint32_t sequence)
                       before[FIRST_LAMP + 1] == choice[FIRST_LAMP + 1]);
         check_rows(&next, &earlier, setting);
         /* The whole plan, with and without the earlier one. */
-        step alone = {next.stage, next.traced, {0}};
+        step alone = {.stage = next.stage, .traced = next.traced};
         prepare(&alone, NULL);
         step_choose(&next);
         step_choose(&alone);

@@ -40,9 +40,9 @@ static murk_coverage_result streamed(const murk_stage *stage, size_t expected,
     murk_error err = {0};
     murk_coverage_result out = {0};
     double trace_s = 0;
-    CHECK(murk_plan_measure_streamed(&out, &trace_s, stage,
-                                     MURK_HELD_OUT_STREAM, sensor, SENSORS,
-                                     expected, threads, &err) == MURK_OK);
+    CHECK(murk_plan_measure_streamed(
+              &out, &trace_s, stage, MURK_HELD_OUT_STREAM, sensor, SENSORS,
+              expected, NULL, NULL, threads, &err) == MURK_OK);
     CHECK_TEXT(err.text, "");
     CHECK(trace_s > 0);
     return out;
