@@ -12,6 +12,18 @@
 
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
+
+/* The row that is compared with others. A row is first compared by the slots of
+ * its entries, without clarities, which rules out nearly all pairs; the cover
+ * of the row is made for the first pair that remains. */
+typedef struct compared_row {
+    const murk_row *row;
+    bool has_bits;  /* `bits` are those of the row */
+    uint64_t *bits; /* [words] a bit for each slot with an entry */
+    bool has_cover; /* `cover` is that of the row */
+    murk_cover cover;
+} compared_row;
 
 typedef struct presolving {
     const murk_matrix *matrix;
@@ -20,7 +32,7 @@ typedef struct presolving {
     _Atomic uint32_t *first; /* [candidates] by number in the order: the number
                                 of the first dominator found; the own number:
                                 none */
-    murk_cover *cover;       /* [threads] */
+    compared_row *compared;  /* [threads] */
 } presolving;
 
 static void lower_to(_Atomic uint32_t *cell, uint32_t value)
@@ -37,16 +49,54 @@ static bool is_dominated(const presolving *p, uint32_t at)
     return atomic_load_explicit(&p->first[at], memory_order_relaxed) < at;
 }
 
+static bool has_bits(const murk_row *row)
+{
+    return row->kind == MURK_ROW_BITS || row->kind == MURK_ROW_PACKED;
+}
+
+static void begin_row(compared_row *c, const murk_layout *layout,
+                      const murk_row *row)
+{
+    c->row = row;
+    c->has_cover = false;
+    c->has_bits = has_bits(row);
+    if (c->has_bits) {
+        memset(c->bits, 0, layout->words * sizeof *c->bits);
+        for (size_t k = 0; k < row->words; ++k) {
+            c->bits[murk_row_word(row, k)] = row->bits[k];
+        }
+    }
+}
+
+/* True if the compared row is nowhere below another row. */
+static bool covers(compared_row *c, const murk_layout *layout,
+                   const murk_row *row)
+{
+    if (c->has_bits && has_bits(row)) {
+        for (size_t k = 0; k < row->words; ++k) {
+            if (row->bits[k] & ~c->bits[murk_row_word(row, k)]) {
+                return false;
+            }
+        }
+    }
+    if (!c->has_cover) {
+        murk_cover_clear(&c->cover, layout);
+        murk_cover_add(&c->cover, layout, c->row);
+        c->has_cover = true;
+    }
+    return murk_row_is_covered(layout, row, &c->cover);
+}
+
 /* Marks the candidate number b of the order if number a dominates it, whose row
- * is the cover. */
-static void compare(presolving *p, const murk_cover *cover, uint32_t a,
+ * is compared. */
+static void compare(presolving *p, compared_row *compared, uint32_t a,
                     uint32_t b)
 {
     const uint32_t candidate = p->order[b];
     if (murk_matrix_has(p->matrix, candidate) &&
         atomic_load_explicit(&p->first[b], memory_order_relaxed) > a &&
-        murk_row_is_covered(&p->matrix->layout,
-                            murk_matrix_row(p->matrix, candidate), cover) &&
+        covers(compared, &p->matrix->layout,
+               murk_matrix_row(p->matrix, candidate)) &&
         (!p->set ||
          murk_constraint_set_may_drop(p->set, p->order[a], candidate))) {
         lower_to(&p->first[b], a);
@@ -60,15 +110,14 @@ static void mark(void *context, unsigned worker, uint64_t batch)
 {
     presolving *p = context;
     const uint32_t a = (uint32_t)batch;
-    const murk_layout *layout = &p->matrix->layout;
-    murk_cover *cover = &p->cover[worker];
+    compared_row *compared = &p->compared[worker];
     if (is_dominated(p, a)) {
         return;
     }
-    murk_cover_clear(cover, layout);
-    murk_cover_add(cover, layout, murk_matrix_row(p->matrix, p->order[a]));
+    begin_row(compared, &p->matrix->layout,
+              murk_matrix_row(p->matrix, p->order[a]));
     for (uint32_t b = a + 1; b < p->matrix->candidates; ++b) {
-        compare(p, cover, a, b);
+        compare(p, compared, a, b);
     }
 }
 
@@ -109,17 +158,18 @@ static void mark_some(void *context, unsigned worker, uint64_t batch)
     const uint64_t first = m->a + 1 + batch * CANDIDATES_AT_ONCE;
     (void)worker;
     for (uint64_t b = first; b < n && b < first + CANDIDATES_AT_ONCE; ++b) {
-        compare(m->p, &m->p->cover[0], m->a, (uint32_t)b);
+        compare(m->p, &m->p->compared[0], m->a, (uint32_t)b);
     }
 }
 
 static void mark_by_ranks(presolving *p, unsigned threads)
 {
     const uint32_t n = (uint32_t)p->matrix->candidates;
+    p->compared[0].has_cover = true; /* all threads read it */
     for (uint32_t a = 0; a < n && !murk_interrupted(); ++a) {
         marking m = {p, a};
         if (begin_candidate(p->matrix, p->order[a], is_dominated(p, a),
-                            &p->cover[0])) {
+                            &p->compared[0].cover)) {
             murk_pool_run_workers(
                 threads, (n - a + CANDIDATES_AT_ONCE - 2) / CANDIDATES_AT_ONCE,
                 mark_some, &m);
@@ -154,16 +204,19 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
         return MURK_OK;
     }
     murk_status status = MURK_OK;
-    /* One cover per thread holds the row under comparison. */
+    /* Each thread compares a row with others. */
     presolving p = {.matrix = matrix,
                     .set = set,
                     .order = order,
                     .first = malloc((n + 1) * sizeof *p.first),
-                    .cover = calloc(threads, sizeof *p.cover)};
-    bool has_memory = p.first && p.cover;
+                    .compared = calloc(threads, sizeof *p.compared)};
+    bool has_memory = p.first && p.compared;
     for (unsigned k = 0; has_memory && k < threads; ++k) {
-        has_memory = murk_cover_init_single(&p.cover[k], &matrix->layout,
-                                            matrix->is_binary);
+        compared_row *c = &p.compared[k];
+        c->bits = malloc((matrix->layout.words + 1) * sizeof *c->bits);
+        has_memory =
+            c->bits && murk_cover_init_single(&c->cover, &matrix->layout,
+                                              matrix->is_binary);
     }
     if (!has_memory) {
         status = murk_no_memory(err, "", "to compare %zu candidates", n);
@@ -183,10 +236,11 @@ murk_status murk_presolve(uint32_t *dominator, const murk_matrix *matrix,
     }
     status = complete(matrix, dominator, err);
 done:
-    for (unsigned k = 0; p.cover && k < threads; ++k) {
-        murk_cover_release(&p.cover[k]);
+    for (unsigned k = 0; p.compared && k < threads; ++k) {
+        murk_cover_release(&p.compared[k].cover);
+        free(p.compared[k].bits);
     }
-    free(p.cover);
+    free(p.compared);
     free(p.first);
     return status;
 }
