@@ -302,25 +302,31 @@ static murk_status copy_cells(const updating *u, murk_error *err)
     return status;
 }
 
-/* Traces the listed photons twice: ledger and tallies are then complete, and
- * the buffers have the new records in watts. Tallies belong to stream 0. */
-static murk_status trace_twice(updating *u, murk_error *err)
+/* Traces the listed photons in the new world; the buffers then have the new
+ * records in watts. In stream 0, whose ledger and tallies are results, these
+ * become those of all photons. Of other streams the ledger tells alone whether
+ * too many photons are lost, and each lost photon is listed, as it crosses all
+ * cells. */
+static murk_status trace_again(updating *u, murk_error *err)
 {
     murk_traced *traced = u->traced;
+    const bool has_sums = traced->stream == 0;
     u->buffers = murk_record_buffers_create(&u->stage->scene->photons);
     murk_status status = u->buffers
                              ? copy_cells(u, err)
                              : murk_no_memory(err, "", "to update the light");
-    if (!status && traced->stream == 0) {
+    if (!status && has_sums) {
         status = murk_tallies_of_stage(&traced->tallies, u->stage, u->threads,
                                        murk_machine_memory_bytes(), err);
     }
-    if (!status) {
+    if (!status && has_sums) {
         status = copy_sums(u, err);
     }
-    murk_progress_begin("update", 2 * u->n, "photons");
-    if (!status) {
+    murk_progress_begin("update", (has_sums ? 2 : 1) * u->n, "photons");
+    if (!status && has_sums) {
         take_out(u);
+    }
+    if (!status) {
         status = trace_listed(u, err);
     }
     murk_progress_end();
@@ -338,10 +344,10 @@ static murk_status trace_twice(updating *u, murk_error *err)
     return status;
 }
 
-/* Traces the listed photons twice, and joins the result with what stays. */
+/* Traces the listed photons, and joins the result with what stays. */
 static murk_status update(updating *u, murk_error *err)
 {
-    murk_status status = trace_twice(u, err);
+    murk_status status = trace_again(u, err);
     if (!status) {
         status = take_over_both(u, err);
     }
@@ -632,7 +638,7 @@ murk_status murk_lightmap_update_passed(
         status = begin(&u, &can, &watched, stream, err);
     }
     if (can) {
-        status = trace_twice(&u, err);
+        status = trace_again(&u, err);
         can = status || !may_exceed(&u, earlier);
     }
     if (can && !status) {

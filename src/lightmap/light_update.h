@@ -34,8 +34,9 @@ void murk_passed_light_release(murk_passed_light *light); /* {0} is fine */
 /* The light of a stream of murk_lightmap_pass(), with photons.emit, whose sink
  * gets the same batches in every bit, from `earlier` of the same stream, NULL:
  * from none, as murk_lightmap_update() makes it. If paths cannot be noted, *out
- * has no records. The caller releases *out, also after a failure, and `earlier`
- * stays as it is. Fails as murk_lightmap_pass(). */
+ * has no records. The ledger of *out is that of the
+ * photons that were traced. The caller releases *out, also after a failure, and
+ * `earlier` stays as it is. Fails as murk_lightmap_pass(). */
 murk_status murk_lightmap_update_passed(
     murk_passed_light *out, const murk_stage *stage, uint32_t stream,
     const murk_passed_light *earlier, unsigned threads, double bytes_each,
