@@ -15,6 +15,7 @@
 #include "world/changed_world.h"
 #include "world/scene_tallies.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,6 +33,17 @@
  * each side: what moves is likely to move on by less. */
 #define AHEAD 2
 
+/* Listed photons are selected once more if what has changed fills a smaller
+ * share of the cells: a path that crosses a cell meets a box in it by about its
+ * cross section. */
+#define SELECT_BELOW 0.25
+
+/* Rounding of positions and lengths, relative to the coordinates. */
+#define SELECT_ROUNDING 1e-9
+
+/* Memory for records that is reserved, as a share of the records before. */
+#define RESERVE 1.05
+
 /* ---- the photons that are traced ---- */
 
 typedef struct updating {
@@ -45,23 +57,35 @@ typedef struct updating {
     unsigned threads;
 } updating;
 
+static bool is_same(murk_vec3 a, murk_vec3 b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
 /* True if photons of the light start alike in both stages: a lamp with the same
- * members but the power. Of other light it is found out photon by photon. */
+ * members but the power. Of other light it is found out photon by photon.
+ * Members are compared one by one, since bytes between them may differ. */
 static bool is_same_lamp(const murk_source *a, const murk_source *b)
 {
-    murk_source p = *a, q = *b;
-    p.where = q.where = NULL;
-    p.power_w = q.power_w;
-    if (a->intensity && b->intensity) { /* the file was read twice */
+    if (a->type != b->type || murk_source_is_distant(a) || a->portals > 0 ||
+        b->portals > 0 || !a->intensity != !b->intensity) {
+        return false;
+    }
+    if (a->intensity) { /* the file was read twice */
         uint64_t sum[2][2];
         murk_intensity_checksum(a->intensity, sum[0]);
         murk_intensity_checksum(b->intensity, sum[1]);
-        if (memcmp(sum[0], sum[1], sizeof sum[0]) == 0) {
-            p.intensity = q.intensity;
+        if (memcmp(sum[0], sum[1], sizeof sum[0]) != 0) {
+            return false;
         }
     }
-    return !murk_source_is_distant(a) && a->portals == 0 && b->portals == 0 &&
-           memcmp(&p, &q, sizeof p) == 0;
+    return is_same(a->position, b->position) && is_same(a->edge1, b->edge1) &&
+           is_same(a->edge2, b->edge2) && is_same(a->direction, b->direction) &&
+           is_same(a->c0, b->c0) && a->radius_m == b->radius_m &&
+           a->height_m == b->height_m &&
+           a->divergence_rad == b->divergence_rad &&
+           a->angular_radius_rad == b->angular_radius_rad &&
+           a->is_part == b->is_part;
 }
 
 /* How the photons of both stages start. */
@@ -302,6 +326,14 @@ static murk_status copy_cells(const updating *u, murk_error *err)
     return status;
 }
 
+/* Reserves memory for as many records as the earlier map has, and some more.
+ * Light that is passed on has no map. */
+static void reserve(murk_record_list *list, const murk_photon_map *earlier)
+{
+    const size_t n = earlier ? murk_photon_map_count(earlier) : 0;
+    murk_record_list_reserve(list, RESERVE * (double)n);
+}
+
 /* Traces the listed photons in the new world; the buffers then have the new
  * records in watts. In stream 0, whose ledger and tallies are results, these
  * become those of all photons. Of other streams the ledger tells alone whether
@@ -315,6 +347,10 @@ static murk_status trace_again(updating *u, murk_error *err)
     murk_status status = u->buffers
                              ? copy_cells(u, err)
                              : murk_no_memory(err, "", "to update the light");
+    if (!status) {
+        reserve(&u->buffers->surface, u->earlier->surface);
+        reserve(&u->buffers->volume, u->earlier->volume);
+    }
     if (!status && has_sums) {
         status = murk_tallies_of_stage(&traced->tallies, u->stage, u->threads,
                                        murk_machine_memory_bytes(), err);
@@ -388,6 +424,97 @@ static bool pays(const updating *u, const murk_box *watched)
     return share <= (is_coarse ? FEW_SHARE : LISTED_SHARE_MAX);
 }
 
+/* ---- listed photons that meet no change ---- */
+
+/* Where a selection takes note of the photons that meet a changed box. */
+typedef struct selecting {
+    murk_box_list boxes;
+    const murk_domain *domain;
+    uint8_t *meets; /* [emitted]; bytes, as threads write neighbours */
+} selecting;
+
+/* A murk_event_sink. The path of a lost photon, and of one that may jump, is
+ * not known (lightmap/path_cells.h). */
+static void select_event(void *context, uint64_t batch, const murk_event *event)
+{
+    const selecting *s = context;
+    uint8_t *meets = &s->meets[event->photon];
+    (void)batch;
+    if (*meets) {
+        return;
+    }
+    if (event->kind == MURK_EVENT_LOST ||
+        (event->kind == MURK_EVENT_WRAPPED &&
+         murk_trace_may_jump(s->domain, event->direction_in))) {
+        *meets = 1;
+        return;
+    }
+    const murk_vec3 along =
+        event->kind == MURK_EVENT_EMITTED
+            ? murk_vec(0, 0, 0)
+            : murk_scale(event->path_m, event->direction_in);
+    *meets =
+        murk_box_list_meet(&s->boxes, murk_sub(event->position, along), along);
+}
+
+/* True if the changed boxes fill so small a part of the cells that their
+ * photons crossed that most listed photons meet no box. */
+static bool selects(const updating *u, uint64_t cells,
+                    const murk_box_list *changed)
+{
+    double filled = 0, listed = 0;
+    for (size_t i = 0; i < changed->n; ++i) {
+        filled += volume(&changed->box[i]);
+    }
+    for (; cells; cells &= cells - 1) {
+        listed += volume(&u->earlier->cells->box) / MURK_PATH_CELLS;
+    }
+    return u->n > 0 && SELECT_BELOW * listed > filled;
+}
+
+/* Takes the photons from the list that start alike and whose path in the
+ * earlier world meets no changed box: a cell is coarse, and to trace a photon
+ * once more takes half the time of an update of it. */
+static murk_status select_photons(updating *u, const murk_box_list *changed,
+                                  murk_error *err)
+{
+    const murk_box *box = &u->stage->world.domain.box;
+    const start_comparison c = compare_starts(u);
+    const double size_m =
+        sqrt(murk_dot(box->min, box->min)) + sqrt(murk_dot(box->max, box->max));
+    selecting s = {.boxes = *changed, .domain = &u->before->world.domain};
+    murk_ledger *unused = NULL;
+    murk_box_list_grow(&s.boxes, SELECT_ROUNDING * size_m);
+    s.meets = calloc(u->earlier->emitted + 1, 1);
+    murk_status status =
+        s.meets ? murk_ledger_create(&unused, &u->before->world, err)
+                : murk_no_memory(err, "", "to update the light");
+    if (!status) {
+        /* Their paths. */
+        murk_trace trace = trace_of(u, u->before);
+        trace.tallies = NULL;
+        trace.sink = select_event;
+        trace.takes_any_order = true;
+        trace.context = &s;
+        murk_progress_begin("select", u->n, "photons");
+        murk_trace_run(&trace, unused);
+        murk_progress_end();
+        status = murk_interrupt_check(err);
+        const size_t n = u->n;
+        u->n = 0;
+        for (size_t k = 0; k < n; ++k) {
+            const uint32_t photon = u->photon[k];
+            if (s.meets[photon] ||
+                (!c.are_all && !starts_alike(u, &c, photon))) {
+                u->photon[u->n++] = photon;
+            }
+        }
+    }
+    murk_ledger_destroy(unused);
+    free(s.meets);
+    return status;
+}
+
 /* Finds what has changed and, if an update may pay (*can), prepares it. The
  * cells of *watched are to be noted if it does not. */
 static murk_status begin(updating *u, bool *can, murk_box *watched,
@@ -414,7 +541,10 @@ static murk_status begin(updating *u, bool *can, murk_box *watched,
         status = prepare(u, cells, err);
         *can = !status && pays(u, watched);
     }
-    return status;
+    /* Without sums a photon is traced once, as often as to select it. */
+    return *can && stream == 0 && selects(u, cells, &changed)
+               ? select_photons(u, &changed, err)
+               : status;
 }
 
 static void end(updating *u)
