@@ -4,6 +4,7 @@
 #include "cases/ahead.h"
 
 #include "base/progress.h"
+#include "cases/poses_at.h"
 #include "cases/scenarios.h"
 #include "lightmap/light_update.h"
 
@@ -120,46 +121,17 @@ void murk_ahead_release(murk_ahead *a)
 
 /* ---- candidates ---- */
 
-/* The pose of a fixed sensor at the time of a stage, by its number;
- * MURK_POSE_OF_NONE: it has failed, or left the domain. */
-static murk_pose fixed_pose(const murk_stage *stage, size_t number)
-{
-    const murk_scene_sensors *sensors = &stage->scene->sensors;
-    for (size_t i = 0; i < sensors->n_fixed; ++i) {
-        const murk_scene_fixed_sensor *fixed = &sensors->fixed[i];
-        if (fixed->number == number &&
-            murk_box_contains(&stage->world.domain.box, fixed->position)) {
-            return (murk_pose){.type = (uint32_t)fixed->type,
-                               .position = fixed->position,
-                               .heading_rad = fixed->heading_rad,
-                               .tilt_rad = fixed->tilt_rad};
-        }
-    }
-    return (murk_pose){.type = MURK_POSE_OF_NONE};
-}
-
-/* Finds the candidates as they are at a step: those of the plan, but for fixed
- * sensors that have moved or failed by then. Planned sensors have no number
- * before the plan is chosen, so it is not known which would fail or drift. */
+/* Finds the candidates as they are at a step. */
 static murk_status find_poses(murk_ahead *a, size_t i, const murk_poses *poses,
                               murk_error *err)
 {
-    const murk_scene_sensors *own = &a->stage[0]->scene->sensors;
     a->poses[i] = *poses;
-    if (i == 0 || poses->fixed == 0) {
-        return MURK_OK;
+    const murk_status status =
+        murk_poses_at(&a->pose[i], poses, a->stage[0]->scene, a->stage[i], err);
+    if (!status && a->pose[i]) {
+        a->poses[i].pose = a->pose[i];
     }
-    a->pose[i] = malloc(poses->count * sizeof *a->pose[i]);
-    if (!a->pose[i]) {
-        return murk_no_memory(err, "", "for the candidates of a step ahead");
-    }
-    memcpy(a->pose[i], poses->pose, poses->count * sizeof *a->pose[i]);
-    for (size_t k = 0; k < poses->fixed; ++k) {
-        a->pose[i][poses->fixed_number[k]] =
-            fixed_pose(a->stage[i], own->fixed[k].number);
-    }
-    a->poses[i].pose = a->pose[i];
-    return MURK_OK;
+    return status;
 }
 
 /* ---- the choice ---- */

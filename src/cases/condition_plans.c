@@ -4,6 +4,12 @@
 
 #include <stdlib.h>
 
+const murk_pose *murk_condition_plan_sensors_in(const murk_condition_plan *plan,
+                                                size_t c)
+{
+    return plan->sensor_in[c] ? plan->sensor_in[c] : plan->sensor;
+}
+
 double murk_condition_plans_regret(const murk_condition_plans *plans,
                                    const murk_condition_plan *plan, size_t c)
 {
@@ -17,6 +23,9 @@ void murk_condition_plans_release(murk_condition_plans *plans)
 {
     for (size_t p = 0; p < plans->plans; ++p) {
         free(plans->plan[p].sensor);
+        for (size_t c = 0; c < MURK_SCENE_CONDITIONS_MAX; ++c) {
+            free(plans->plan[p].sensor_in[c]);
+        }
     }
     for (size_t c = 0; c < MURK_SCENE_CONDITIONS_MAX; ++c) {
         murk_coverage_result_release(&plans->coverage[c]);

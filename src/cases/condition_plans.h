@@ -4,11 +4,11 @@
  * that the best plan known for that condition has in the condition, less the
  * coverage of the plan.
  *
- * The coverage in each condition is measured in the light of that condition;
- * dark conditions are left out. The held-out map of a condition is independent
- * of all other maps, also of those of other conditions. The maps that choose
- * share their random numbers between conditions, so that differences between
- * conditions have less noise. */
+ * The coverage in each condition is measured in the light of that condition,
+ * by fixed sensors as they are at its time; dark conditions are left out. The
+ * held-out map of a condition is independent of all other maps, also of those
+ * of other conditions. The maps that choose share their random numbers between
+ * conditions, so that differences between conditions have less noise. */
 #ifndef MURK_CASES_CONDITION_PLANS_H
 #define MURK_CASES_CONDITION_PLANS_H
 
@@ -20,7 +20,10 @@ typedef struct murk_condition_plan {
     murk_scene_name made_for; /* name of a condition, or mean, worst, regret;
                                * empty for the scene as it stands */
     size_t count;
-    murk_pose *sensor; /* [count] */
+    murk_pose *sensor; /* [count] at the scene's own time */
+    /* [count] as they are in each condition (murk_condition_sensors()); NULL:
+     * as in `sensor` */
+    murk_pose *sensor_in[MURK_SCENE_CONDITIONS_MAX];
     murk_estimate in_sample[MURK_SCENE_CONDITIONS_MAX];
     murk_estimate held_out[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plan;
@@ -43,8 +46,9 @@ typedef struct murk_condition_plans {
     murk_estimate *shaken; /* [conditions * draws] coverage of the chosen plan
                               with jitter; NULL without jitter */
     size_t unmoved;        /* number of displacements, out of draws times
-                            * sensors, for which no free position was found;
-                            * equal in all conditions */
+                            * sensors, for which no free position was found; the
+                            * largest of all conditions, which differ if fixed
+                            * sensors move */
     /* With the objective regret, on the sample that chose: the largest regret
      * of the chosen plan to the best plans known; a lower bound of the largest
      * regret of any plan, which holds for the true optima too, because these
@@ -56,6 +60,11 @@ typedef struct murk_condition_plans {
      * (placement/blocks.h). */
     uint64_t ceiling_of[MURK_SCENE_CONDITIONS_MAX];
 } murk_condition_plans;
+
+/* The sensors of a plan as they are in condition c, which is not dark: [count],
+ * of which absent ones are of MURK_POSE_OF_NONE. */
+const murk_pose *murk_condition_plan_sensors_in(const murk_condition_plan *plan,
+                                                size_t c);
 
 /* Regret of a plan in condition c, which is not dark: the coverage of the own
  * plan of that condition less the coverage of the plan, from held-out coverages

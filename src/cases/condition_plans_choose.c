@@ -30,20 +30,31 @@ typedef struct choosing {
                          environment */
 } choosing;
 
+/* The candidates as they are in condition c. */
+static const murk_pose *poses_in(const choosing *ch, size_t c)
+{
+    const murk_pose *own = ch->plans->conditions->condition[c].pose;
+    return own ? own : ch->plan->poses->pose;
+}
+
 static murk_status join(choosing *ch, murk_error *err)
 {
     const murk_conditions *all = ch->plans->conditions;
     murk_sight *sight[MURK_SCENE_CONDITIONS_MAX];
+    const murk_pose *pose[MURK_SCENE_CONDITIONS_MAX];
     double share[MURK_SCENE_CONDITIONS_MAX];
+    const murk_scenarios_rows rows = {.pose = pose};
     size_t n = 0;
     for (size_t c = 0; c < all->n; ++c) {
         if (all->condition[c].settings->weight > 0) {
             sight[n] = all->condition[c].sight;
+            pose[n] = poses_in(ch, c);
             share[n++] = all->condition[c].settings->weight;
         }
     }
-    const murk_status status = murk_scenarios_create(
-        &ch->scenarios, ch->scene, sight, share, n, ch->plan->poses, err);
+    const murk_status status =
+        murk_scenarios_create_from(&ch->scenarios, ch->scene, sight, share, n,
+                                   ch->plan->poses, &rows, err);
     if (!status) {
         ch->plan->sense_s = ch->scenarios->sense_s;
     }
@@ -56,15 +67,23 @@ static murk_status place_alone(choosing *ch, murk_place_result *out, size_t c,
 {
     murk_scenarios *alone = NULL;
     const double weight = 1;
-    murk_status status = murk_scenarios_create(
+    const murk_pose *const pose = poses_in(ch, c);
+    const murk_scenarios_rows rows = {.pose = &pose};
+    murk_status status = murk_scenarios_create_from(
         &alone, ch->scene, &ch->plans->conditions->condition[c].sight, &weight,
-        1, ch->plan->poses, err);
+        1, ch->plan->poses, &rows, err);
     if (!status) {
         status = murk_scenarios_place(out, alone, MURK_SCENE_OBJECTIVE_MEAN,
                                       desc, err);
     }
     murk_scenarios_destroy(alone);
     return status;
+}
+
+static murk_status no_memory_for(const murk_place_result *place,
+                                 murk_error *err)
+{
+    return murk_no_memory(err, "", "for a plan of %zu sensors", place->count);
 }
 
 /* Keeps a plan that was chosen by so many sights. */
@@ -82,11 +101,22 @@ static murk_status keep(choosing *ch, const char *made_for,
     plan->count = place->count;
     plan->sensor = calloc(place->count + 1, sizeof *plan->sensor);
     if (!plan->sensor) {
-        return murk_no_memory(err, "", "for a plan of %zu sensors",
-                              place->count);
+        return no_memory_for(place, err);
     }
     for (size_t k = 0; k < place->count; ++k) {
         plan->sensor[k] = ch->plan->poses->pose[place->sensor[k]];
+    }
+    /* The conditions in which fixed sensors are elsewhere, or absent. */
+    const murk_conditions *all = ch->plans->conditions;
+    for (size_t c = 0; c < all->n; ++c) {
+        if (all->condition[c].pose) {
+            plan->sensor_in[c] =
+                murk_condition_sensors(&all->condition[c], ch->plan->poses,
+                                       place->sensor, place->count);
+            if (!plan->sensor_in[c]) {
+                return no_memory_for(place, err);
+            }
+        }
     }
     return MURK_OK;
 }
@@ -221,13 +251,17 @@ murk_status murk_condition_plans_choose(murk_condition_plans *plans,
 {
     const murk_conditions *all = plans->conditions;
     choosing ch = {.plans = plans, .plan = plan, .scene = all->scene};
+    murk_status status =
+        murk_conditions_take_poses(plans->conditions, plan->poses, err);
+    if (status) {
+        return status;
+    }
     if (!all->is_scene) {
         return choose_joined(&ch, err);
     }
     murk_sight *sight = all->condition[0].sight;
-    const murk_status status =
-        plan->ahead && plan->ahead->n > 1
-            ? murk_ahead_choose(plan, sight, err)
-            : murk_plan_choose(plan, all->condition[0].stage, sight, err);
+    status = plan->ahead && plan->ahead->n > 1
+                 ? murk_ahead_choose(plan, sight, err)
+                 : murk_plan_choose(plan, all->condition[0].stage, sight, err);
     return status ? status : keep(&ch, "", &plan->place, 1, err);
 }

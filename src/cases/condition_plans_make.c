@@ -28,6 +28,32 @@
 
 /* ---- before any light ---- */
 
+/* Fails if a condition has a fixed sensor that has failed by the scene's own
+ * time, whose fixed sensors are those of the plan. */
+static murk_status check_fixed(const murk_scene_desc *scene, murk_error *err)
+{
+    const murk_scene_sensors *own = &scene->sensors;
+    for (size_t c = 0; c < scene->n_conditions; ++c) {
+        const murk_scene_sensors *other = &scene->conditions[c].scene->sensors;
+        for (size_t i = 0; i < other->n_fixed; ++i) {
+            size_t k = 0;
+            while (k < own->n_fixed &&
+                   own->fixed[k].number != other->fixed[i].number) {
+                ++k;
+            }
+            if (k == own->n_fixed) {
+                return murk_fail(
+                    err, MURK_BAD_VALUE, scene->conditions[c].where,
+                    "sensors.fixed.%zu has failed by the scene's own time, at "
+                    "%g s, but not in this condition: a plan over conditions "
+                    "needs an earlier timeline.at_s",
+                    other->fixed[i].number, scene->timeline.at_s);
+            }
+        }
+    }
+    return MURK_OK;
+}
+
 murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                                          murk_plan_result *plan,
                                          const murk_scene_desc *scene,
@@ -40,6 +66,11 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
         return murk_fail(err, MURK_BAD_VALUE, settings->where,
                          "over: knowledge explore goes through the scene as it "
                          "stands, so over must be null");
+    }
+    if (scene->are_conditions_steps && scene->timeline.has_at) {
+        return murk_fail(err, MURK_BAD_VALUE, settings->where,
+                         "over: the plan is for all steps of the timeline, so "
+                         "a time (--at, timeline.at_s) must not be given");
     }
     const bool is_regret = settings->over == MURK_SCENE_OBJECTIVE_REGRET;
     if (settings->over != MURK_SCENE_OBJECTIVE_MEAN &&
@@ -54,6 +85,10 @@ murk_status murk_condition_plans_prepare(murk_condition_plans *out,
                          "over: regret compares plans of as many sensors, so "
                          "sensors.target must not be given; give sensors.count "
                          "or sensors.budget");
+    }
+    const murk_status missing = check_fixed(scene, err);
+    if (missing) {
+        return missing;
     }
     /* Build the world of each condition and check what its plan needs. */
     murk_progress_begin_group("build", 0, "");
@@ -112,15 +147,16 @@ static murk_status measure_all(murk_condition_plans *plans, size_t c,
         murk_estimate *to =
             is_held_out ? &plan->held_out[c] : &plan->in_sample[c];
         const murk_condition_plan *same = &plans->plan[find_same(plans, p)];
+        const murk_pose *sensor = murk_condition_plan_sensors_in(plan, c);
         if (same != plan) {
             *to = is_held_out ? same->held_out[c] : same->in_sample[c];
         } else if (p == plans->chosen) {
-            status = murk_coverage_result_measure(chosen, sight, plan->sensor,
+            status = murk_coverage_result_measure(chosen, sight, sensor,
                                                   plan->count, err);
             *to = chosen->total;
         } else {
-            status = murk_coverage_total_measure(to, sight, plan->sensor,
-                                                 plan->count, err);
+            status = murk_coverage_total_measure(to, sight, sensor, plan->count,
+                                                 err);
         }
     }
     return status;
@@ -145,11 +181,16 @@ static murk_status shake(murk_condition_plans *plans, size_t c,
 {
     const murk_condition_plan *chosen = &plans->plan[plans->chosen];
     const size_t draws = draws_of(plans);
-    return draws == 0
-               ? MURK_OK
-               : murk_robust_draw(plans->shaken + c * draws, &plans->unmoved,
-                                  plans->conditions->condition[0].stage, sight,
-                                  chosen->sensor, chosen->count, err);
+    size_t unmoved = 0;
+    if (draws == 0) {
+        return MURK_OK;
+    }
+    const murk_status status = murk_robust_draw(
+        plans->shaken + c * draws, &unmoved,
+        plans->conditions->condition[0].stage, sight,
+        murk_condition_plan_sensors_in(chosen, c), chosen->count, err);
+    plans->unmoved = unmoved > plans->unmoved ? unmoved : plans->unmoved;
+    return status;
 }
 
 static murk_status no_memory_for_draws(const murk_condition_plans *plans,
@@ -220,6 +261,7 @@ static murk_status measure_in(murk_condition_plans *plans,
 {
     const murk_stage *stage = plans->conditions->condition[c].stage;
     const murk_condition_plan *chosen = &plans->plan[plans->chosen];
+    const murk_pose *sensor = murk_condition_plan_sensors_in(chosen, c);
     const bool is_held_out = stream == MURK_HELD_OUT_STREAM;
     const uint32_t numbers = stream + STREAMS_EACH * (uint32_t)c;
     murk_traced *other = NULL;
@@ -238,7 +280,7 @@ static murk_status measure_in(murk_condition_plans *plans,
         const bool holds = is_held_out && plan->keeps_matrix &&
                            may_hold(stage->scene, as_in_sample);
         status = murk_plan_measure_streamed(
-            out, &plan->trace_s, stage, numbers, chosen->sensor, chosen->count,
+            out, &plan->trace_s, stage, numbers, sensor, chosen->count,
             as_in_sample + as_in_sample / RESERVE,
             plan->earlier ? plan->earlier->held_out : NULL,
             holds ? &plan->held : NULL, threads, err);
@@ -256,10 +298,9 @@ static murk_status measure_in(murk_condition_plans *plans,
     }
     /* Measure. */
     if (!status) {
-        status = is_held_out
-                     ? measure_all(plans, c, sight, true, out, err)
-                     : murk_coverage_result_measure(out, sight, chosen->sensor,
-                                                    chosen->count, err);
+        status = is_held_out ? measure_all(plans, c, sight, true, out, err)
+                             : murk_coverage_result_measure(out, sight, sensor,
+                                                            chosen->count, err);
     }
     if (!status && is_held_out) {
         status = shake(plans, c, sight, err);

@@ -5,6 +5,7 @@
 
 #include "base/machine.h"
 #include "base/scratch_file.h"
+#include "cases/poses_at.h"
 #include "cases/scenario_mean.h"
 #include "photonmap/map.h"
 #include "plan/plan.h"
@@ -73,6 +74,7 @@ void murk_conditions_destroy(murk_conditions *all)
     for (size_t c = 0; c < all->n + all->dark; ++c) {
         murk_condition *one = &all->condition[c];
         murk_sight_destroy(one->sight);
+        free(one->pose);
         if (!one->borrows_light) {
             murk_traced_destroy(one->traced);
         }
@@ -266,6 +268,33 @@ murk_status murk_conditions_light(murk_conditions *all, unsigned threads,
                ? status
                : murk_goals_check_seen(all->condition[0].stage->goals, seen,
                                        err);
+}
+
+/* ---- sensors ---- */
+
+murk_status murk_conditions_take_poses(murk_conditions *all,
+                                       const murk_poses *poses, murk_error *err)
+{
+    murk_status status = MURK_OK;
+    for (size_t c = 0; c < all->n && !status; ++c) {
+        murk_condition *one = &all->condition[c];
+        free(one->pose);
+        one->pose = NULL;
+        status = murk_poses_at(&one->pose, poses, all->scene, one->stage, err);
+    }
+    return status;
+}
+
+murk_pose *murk_condition_sensors(const murk_condition *condition,
+                                  const murk_poses *poses,
+                                  const size_t *candidate, size_t n)
+{
+    const murk_pose *pose = condition->pose ? condition->pose : poses->pose;
+    murk_pose *out = calloc(n + 1, sizeof *out);
+    for (size_t k = 0; out && k < n; ++k) {
+        out[k] = pose[candidate[k]];
+    }
+    return out;
 }
 
 /* ---- one figure of all conditions ---- */

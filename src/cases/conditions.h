@@ -29,6 +29,8 @@ typedef struct murk_condition {
                                 * targets; NULL before lighting and in a dark
                                 * condition */
     murk_target_facts targets; /* points 0: photons are seen, no targets */
+    murk_pose *pose;           /* [candidates] as they are in the condition, of
+                                * murk_conditions_take_poses(); NULL: as in the plan */
     /* With the objective regret, once plans are chosen, for a condition of
      * weight above 0: the coverage of the best plan known for this condition
      * alone, and the upper bound of the coverage of any plan in this condition,
@@ -89,6 +91,19 @@ murk_status murk_conditions_again(murk_conditions **out,
  * murk_goals_check_seen(). */
 murk_status murk_conditions_light(murk_conditions *conditions, unsigned threads,
                                   murk_error *err);
+
+/* Finds the candidates of a plan as they are in each of the first n conditions
+ * (cases/poses_at.h). Fails with MURK_NO_MEMORY. */
+murk_status murk_conditions_take_poses(murk_conditions *conditions,
+                                       const murk_poses *poses,
+                                       murk_error *err);
+
+/* The sensors of a plan, by their numbers among the candidates, as they are in
+ * a condition. A fixed sensor that is absent there is of MURK_POSE_OF_NONE.
+ * NULL when out of memory; else the caller's (free()). */
+murk_pose *murk_condition_sensors(const murk_condition *condition,
+                                  const murk_poses *poses,
+                                  const size_t *candidate, size_t n);
 
 /* Regret of a coverage in one condition: the difference to the best coverage
  * that is known for this condition, or with placement.regret: relative this

@@ -67,9 +67,15 @@ static murk_status measure(murk_estimate *out, const murk_plan_result *plan,
     murk_estimate of[MURK_SCENE_CONDITIONS_MAX];
     murk_status status = MURK_OK;
     for (size_t c = 0; !status && c < all->n; ++c) {
+        murk_pose *sensor =
+            murk_condition_sensors(&all->condition[c], plan->poses,
+                                   plan->place.sensor, plan->place.count);
         status =
-            murk_coverage_total_measure(&of[c], all->condition[c].sight,
-                                        plan->sensor, plan->place.count, err);
+            sensor
+                ? murk_coverage_total_measure(&of[c], all->condition[c].sight,
+                                              sensor, plan->place.count, err)
+                : no_memory(1, err);
+        free(sensor);
     }
     if (!status) {
         size_t worst;

@@ -428,7 +428,7 @@ static bool pays(const updating *u, const murk_box *watched)
 
 /* Where a selection takes note of the photons that meet a changed box. */
 typedef struct selecting {
-    murk_box_list boxes;
+    murk_box_list changed;
     const murk_domain *domain;
     uint8_t *meets; /* [emitted]; bytes, as threads write neighbours */
 } selecting;
@@ -453,8 +453,8 @@ static void select_event(void *context, uint64_t batch, const murk_event *event)
         event->kind == MURK_EVENT_EMITTED
             ? murk_vec(0, 0, 0)
             : murk_scale(event->path_m, event->direction_in);
-    *meets =
-        murk_box_list_meet(&s->boxes, murk_sub(event->position, along), along);
+    *meets = murk_box_list_meet(&s->changed, murk_sub(event->position, along),
+                                along);
 }
 
 /* True if the changed boxes fill so small a part of the cells that their
@@ -482,9 +482,9 @@ static murk_status select_photons(updating *u, const murk_box_list *changed,
     const start_comparison c = compare_starts(u);
     const double size_m =
         sqrt(murk_dot(box->min, box->min)) + sqrt(murk_dot(box->max, box->max));
-    selecting s = {.boxes = *changed, .domain = &u->before->world.domain};
+    selecting s = {.changed = *changed, .domain = &u->before->world.domain};
     murk_ledger *unused = NULL;
-    murk_box_list_grow(&s.boxes, SELECT_ROUNDING * size_m);
+    murk_box_list_grow(&s.changed, SELECT_ROUNDING * size_m);
     s.meets = calloc(u->earlier->emitted + 1, 1);
     murk_status status =
         s.meets ? murk_ledger_create(&unused, &u->before->world, err)

@@ -87,11 +87,11 @@ static const char *name_file(char out[FILE_NAME_MAX], const char *begin,
 }
 
 static murk_status add_condition(murk_session *session,
-                                 const murk_plan_result *plan,
-                                 const murk_condition *condition,
+                                 const murk_condition_plans *r, size_t c,
                                  murk_error *err)
 {
     murk_results *results = &session->results;
+    const murk_condition *condition = &r->conditions->condition[c];
     char name[FILE_NAME_MAX];
     /* Light, ledger and scene of the condition; unless it is dark,
      * plan-NAME.ply. */
@@ -110,10 +110,11 @@ static murk_status add_condition(murk_session *session,
             condition->settings->scene->resolved, err);
     }
     if (!status && condition->sight) {
-        status = murk_add_plan_ply(results,
-                                   name_file(name, "plan", condition, ".ply"),
-                                   condition->stage, condition->sight,
-                                   plan->sensor, plan->place.count, err);
+        const murk_condition_plan *plan = &r->plan[r->chosen];
+        status = murk_add_plan_ply(
+            results, name_file(name, "plan", condition, ".ply"),
+            condition->stage, condition->sight,
+            murk_condition_plan_sensors_in(plan, c), plan->count, err);
     }
     return status;
 }
@@ -141,7 +142,6 @@ void murk_results_list_use(murk_results_fields *f, const void *of, size_t i)
 }
 
 murk_status murk_add_condition_files(murk_session *session,
-                                     const murk_plan_result *plan,
                                      const murk_condition_plans *r,
                                      murk_error *err)
 {
@@ -150,8 +150,7 @@ murk_status murk_add_condition_files(murk_session *session,
         return MURK_OK;
     }
     for (size_t c = 0; !status && c < all_conditions(r); ++c) {
-        status =
-            add_condition(session, plan, &r->conditions->condition[c], err);
+        status = add_condition(session, r, c, err);
     }
     if (!status) {
         status = murk_session_add_scene(session, err);

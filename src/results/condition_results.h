@@ -12,7 +12,6 @@
  * then scene.resolved.yaml and regret.csv. Does nothing without a folder for
  * results. */
 murk_status murk_add_condition_files(murk_session *session,
-                                     const murk_plan_result *plan,
                                      const murk_condition_plans *plans,
                                      murk_error *err);
 

@@ -18,7 +18,7 @@ murk_status murk_add_plan_files(murk_session *session,
         murk_plan_sensor_results(session->scene, plan);
     /* The light of each condition, or that of the scene; then the plan. */
     murk_status status =
-        conditions ? murk_add_condition_files(session, plan, conditions, err)
+        conditions ? murk_add_condition_files(session, conditions, err)
                    : murk_session_add_all_of_light(session, err);
     if (!status && session->settings.own_input) {
         status = murk_results_note(&session->results,

@@ -119,13 +119,31 @@ static void put_map(const murk_ply *ply, const murk_photon_map *map,
     }
 }
 
+/* False for a fixed sensor that has failed by the time of the condition. */
+static bool is_there(const parts *p, size_t sensor)
+{
+    return p->sensor[sensor].type != MURK_POSE_OF_NONE;
+}
+
+static size_t count_there(const parts *p)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < p->sensors; ++k) {
+        n += is_there(p, k);
+    }
+    return n;
+}
+
+/* The mark of a sensor, without corners and faces if it is not there. */
 static murk_mark mark_of(const parts *p, size_t sensor)
 {
     const murk_sight_desc *sight = murk_sight_described(p->sight);
     const murk_pose *pose = &p->sensor[sensor];
-    murk_mark mark;
-    murk_mark_make(&mark, &sight->type[pose->type], pose, sight->north,
-                   p->mark_m);
+    murk_mark mark = {0};
+    if (is_there(p, sensor)) {
+        murk_mark_make(&mark, &sight->type[pose->type], pose, sight->north,
+                       p->mark_m);
+    }
     return mark;
 }
 
@@ -134,7 +152,9 @@ static void put_vertices(const murk_ply *ply, const parts *p)
     static const sighting by_all = {0, MURK_CLEAR, 0};
     const murk_sight_desc *maps = murk_sight_described(p->sight);
     for (size_t k = 0; k < p->sensors; ++k) {
-        put_vertex(ply, p->sensor[k].position, SENSOR, by_all);
+        if (is_there(p, k)) {
+            put_vertex(ply, p->sensor[k].position, SENSOR, by_all);
+        }
     }
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
@@ -149,7 +169,7 @@ static void put_vertices(const murk_ply *ply, const parts *p)
 
 static void put_faces(const murk_ply *ply, const parts *p)
 {
-    size_t first = p->sensors;
+    size_t first = count_there(p);
     for (size_t k = 0; k < p->sensors; ++k) {
         const murk_mark mark = mark_of(p, k);
         for (size_t f = 0; f < mark.faces; ++f) {
@@ -175,7 +195,7 @@ static murk_status write_ply(FILE *to, const void *context, murk_error *err)
         "comment murk plan: sensors, corners of their marks, stored photons\n"
         "comment kind: 0 sensor, 1 surface photon, 2 volume photon, 3 "
         "corner of a mark\n");
-    murk_mesh_vertices(&ply, p->sensors + corners + p->photons, columns,
+    murk_mesh_vertices(&ply, count_there(p) + corners + p->photons, columns,
                        sizeof columns / sizeof *columns);
     murk_mesh_faces(&ply, faces, NULL, 0);
     murk_mesh_end_header(&ply);

@@ -692,6 +692,9 @@ struct murk_scene_desc {
     size_t n_cameras;
     murk_scene_condition *conditions;
     size_t n_conditions;
+    bool
+        are_conditions_steps; /* of the timeline: murk_timeline_add_conditions()
+                               */
     char *resolved;  /* the resolved scene, with overrides and defaults written
                         out and absolute paths, as YAML that gives the same scene
                         when read from any folder */

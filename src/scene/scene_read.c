@@ -312,7 +312,8 @@ static murk_status read_tree(reading *r, murk_scene_desc *scene,
         return murk_fail(err, MURK_BAD_FILE, scene->path,
                          "is a study, must be a scene; murk study runs it");
     }
-    status = murk_timeline_add_conditions(r->root, err);
+    status = murk_timeline_add_conditions(&scene->are_conditions_steps, r->root,
+                                          err);
     if (status) {
         return status;
     }

@@ -787,13 +787,15 @@ static bool add_conditions(murk_yaml *root, const murk_scene_timeline *timeline)
     return is_whole && murk_yaml_put(root, "conditions", all);
 }
 
-murk_status murk_timeline_add_conditions(murk_yaml *root, murk_error *err)
+murk_status murk_timeline_add_conditions(bool *added, murk_yaml *root,
+                                         murk_error *err)
 {
     read_tree tree = {NULL, NULL};
     murk_status status = root->kind == MURK_YAML_MAP && wants_conditions(root)
                              ? begin(&tree, root, err)
                              : MURK_OK;
-    if (!status && tree.node) {
+    *added = !status && tree.node;
+    if (*added) {
         const murk_scene_timeline *timeline = &tree.scene->timeline;
         const size_t steps = murk_timeline_steps(timeline);
         status = steps > MURK_SCENE_CONDITIONS_MAX

@@ -22,10 +22,11 @@ murk_status murk_timeline_apply(murk_yaml *root, const murk_yaml *condition,
 
 /* If the tree has a timeline and places over conditions, but has none, adds a
  * condition for each step: `step-0000`, with timeline.at_s, and so on. So a
- * plan over conditions is one for all steps. Fails with MURK_BAD_VALUE if there
- * are more than MURK_SCENE_CONDITIONS_MAX steps, as reading the timeline does,
- * or with MURK_NO_MEMORY. */
-murk_status murk_timeline_add_conditions(murk_yaml *root, murk_error *err);
+ * plan over conditions is one for all steps. *added: it has done so. Fails with
+ * MURK_BAD_VALUE if there are more than MURK_SCENE_CONDITIONS_MAX steps, as
+ * reading the timeline does, or with MURK_NO_MEMORY. */
+murk_status murk_timeline_add_conditions(bool *added, murk_yaml *root,
+                                         murk_error *err);
 
 /* For the structs of a scene that was read from such a tree: advances the
  * clocks of the scene and of its lights by at_s, removes the fixed sensors that

@@ -24,7 +24,12 @@ static void find_row(void *context, unsigned worker, uint64_t batch)
 {
     const rows_task *t = context;
     (void)worker;
-    murk_sight_row(t->sight, (unsigned)batch, &t->pose[batch], &t->row[batch]);
+    if (t->pose[batch].type == MURK_POSE_OF_NONE) {
+        t->row[batch] = (murk_sparse_row){0};
+    } else {
+        murk_sight_row(t->sight, (unsigned)batch, &t->pose[batch],
+                       &t->row[batch]);
+    }
 }
 
 murk_status murk_coverage_rows(murk_sight *sight, const murk_pose *pose,
@@ -101,7 +106,8 @@ murk_status murk_coverage_check(const murk_sight_desc *desc,
 {
     for (size_t j = 0; j < n; ++j) {
         const murk_box *box = &desc->domain.box;
-        if (!murk_box_contains(box, pose[j].position)) {
+        if (pose[j].type != MURK_POSE_OF_NONE &&
+            !murk_box_contains(box, pose[j].position)) {
             return murk_fail(err, MURK_BAD_VALUE, "sensors",
                              "sensor %zu at %s m is outside the domain, %s to "
                              "%s m",

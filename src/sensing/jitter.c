@@ -91,6 +91,9 @@ size_t murk_jitter_draw(murk_pose *out, const murk_pose *pose, size_t n,
         const murk_address address = {jitter->seed, MURK_JITTER, draw,
                                       (uint32_t)i};
         out[i] = pose[i];
+        if (pose[i].type == MURK_POSE_OF_NONE) { /* nothing to displace */
+            continue;
+        }
         if (jitter->step_m > 0 &&
             !move_within_ball(&out[i].position, jitter, &segments, &address)) {
             ++unmoved;

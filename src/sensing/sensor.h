@@ -38,6 +38,11 @@ typedef struct murk_pose {
     double heading_rad, tilt_rad; /* 0 for spheres */
 } murk_pose;
 
+/* In place of the type of a pose: there is no sensor. Rows, coverage and jitter
+ * take such a pose as a sensor that sees nothing and is not displaced; nothing
+ * else takes it. */
+#define MURK_POSE_OF_NONE UINT32_MAX
+
 typedef struct murk_sensor_frame {
     murk_vec3 axis, right, up; /* orthonormal */
 } murk_sensor_frame;

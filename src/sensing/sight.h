@@ -230,9 +230,6 @@ typedef struct murk_known_rows {
     murk_row_patches patches; /* get() has the context of murk_known_rows */
 } murk_known_rows;
 
-/* In place of the type of a pose: there is no sensor, and its row is empty. */
-#define MURK_POSE_OF_NONE UINT32_MAX
-
 /* The placement problem of the candidates pose[n], of which some may be of
  * MURK_POSE_OF_NONE. Borrows poses and sight.
  * problem.context points to *out, so *out must not move. */
