@@ -180,7 +180,7 @@ static void restart(void *context)
  * container may hide the processes of the others. */
 static bool can_share(MPI_Comm machine, int number)
 {
-    murk_error err;
+    murk_error err = {0};
     murk_block block = {.is_for_ranks = true};
     bool can = number > 0 || !murk_block_resize(&block, 1, INFINITY, &err);
     murk_block_address first = murk_block_address_of(&block);

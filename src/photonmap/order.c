@@ -405,7 +405,7 @@ static murk_status order(ordering *o, unsigned threads, murk_status status,
 
 int murk_order(murk_photon *photons, size_t n, unsigned threads)
 {
-    murk_error err;
+    murk_error err = {0};
     ordering o = {.photons = photons, .n = n, .here = {.count = 1}};
     return !order(&o, threads, MURK_OK, &err);
 }

@@ -95,7 +95,7 @@ murk_row murk_evaluator_row(const murk_evaluator *evaluator, unsigned worker,
 void murk_evaluator_complete(const murk_evaluator *evaluator, uint64_t *word,
                              size_t n)
 {
-    murk_error err;
+    murk_error err = {0};
     if (murk_evaluator_is_distributed(evaluator)) {
         (void)murk_ranks_complete(word, n * sizeof *word,
                                   murk_interrupt_check(&err), &err);
@@ -359,7 +359,7 @@ static void evaluate_candidates(evaluation w, unsigned threads, unsigned worker)
     }
     free(order);
     if (w.is_divided) {
-        murk_error err;
+        murk_error err = {0};
         const murk_status status = murk_ranks_complete(
             w.gain, w.n * sizeof *w.gain, murk_interrupt_check(&err), &err);
         (void)murk_work_count_add(&work, status, &err);

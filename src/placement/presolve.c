@@ -130,7 +130,7 @@ static void mark(void *context, unsigned worker, uint64_t batch)
 static bool begin_candidate(const murk_matrix *matrix, uint32_t candidate,
                             bool is_passed_over, murk_cover *cover)
 {
-    murk_error err;
+    murk_error err = {0};
     uint64_t word = murk_matrix_has(matrix, candidate) && is_passed_over;
     if (murk_ranks_complete(&word, sizeof word, murk_interrupt_check(&err),
                             &err) ||

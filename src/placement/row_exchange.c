@@ -295,7 +295,7 @@ static murk_status fetch(const murk_fetched_rows *f, fetched_place *to,
 murk_row murk_fetched_rows_get(murk_fetched_rows *fetched, const murk_row *row,
                                murk_row_space *space, size_t candidate)
 {
-    murk_error err;
+    murk_error err = {0};
     fetched_place *oldest = &fetched->place[0];
     ++fetched->calls;
     for (size_t k = 0; k < fetched->places; ++k) {

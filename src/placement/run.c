@@ -93,35 +93,43 @@ bool murk_place_run_keep(murk_place_run *run, const uint32_t *plan, size_t size,
     return true;
 }
 
-murk_status murk_place_run_find_fallback(murk_place_run *run, size_t n,
-                                         murk_error *err)
+/* Completes a plan of the fixed sensors with any candidates, and stores it as
+ * the fallback. False if there is no plan of n, or (*is_sure false) if the
+ * search for one is given up; an interrupted search is not told. */
+static bool complete_fallback(murk_place_run *run, size_t n, bool *is_sure)
 {
     const murk_constraint_set *set = run->set;
+    *is_sure = true;
     if (!set || !set->has_conflicts) {
-        return MURK_OK;
+        return true;
     }
-    /* Complete a plan of the fixed sensors with any candidates. */
     murk_partial_plan *partial = &run->search.partial;
-    bool is_sure;
     murk_partial_plan_clear(partial, n);
     for (size_t k = 0; k < set->constraints->fixed_count; ++k) {
         murk_partial_plan_add(partial, (uint32_t)set->constraints->fixed[k]);
     }
-    if (!murk_partial_plan_complete(partial, &is_sure)) {
-        return murk_interrupted()
-                   ? MURK_OK
-                   : murk_fail(err, MURK_RUN_FAILED, "",
-                               is_sure ? "no plan: no %zu of %zu usable "
-                                         "candidates keep all rules"
-                                       : "no plan found: of %zu sensors at "
-                                         "%zu usable candidates that keeps "
-                                         "all rules",
-                               n, run->evaluator.candidates);
+    if (!murk_partial_plan_complete(partial, is_sure)) {
+        return murk_interrupted();
     }
     memcpy(run->search.fallback, partial->member,
            partial->size * sizeof *partial->member);
     run->search.fallback_size = partial->size;
-    return MURK_OK;
+    return true;
+}
+
+murk_status murk_place_run_find_fallback(murk_place_run *run, size_t n,
+                                         murk_error *err)
+{
+    bool is_sure;
+    return complete_fallback(run, n, &is_sure)
+               ? MURK_OK
+               : murk_fail(err, MURK_RUN_FAILED, "",
+                           is_sure ? "no plan: no %zu of %zu usable "
+                                     "candidates keep all rules"
+                                   : "no plan found: of %zu sensors at "
+                                     "%zu usable candidates that keeps "
+                                     "all rules",
+                           n, run->evaluator.candidates);
 }
 
 /* Raises `fewest`, the lower bound on the number of sensors, if the upper bound
@@ -144,9 +152,9 @@ static void update_fewest(murk_place_run *run, size_t n, uint64_t upper)
  * constraints, and admit a larger one. */
 static bool is_gap(murk_place_run *run, size_t n)
 {
-    murk_error err;
+    bool is_sure;
     return murk_has_moves(run->set) && n < run->last &&
-           murk_place_run_find_fallback(run, n, &err) != MURK_OK;
+           !complete_fallback(run, n, &is_sure);
 }
 
 static murk_status find_all(murk_place_run *run, murk_find_count find,

@@ -14,6 +14,10 @@
 
 #include <string.h>
 
+enum {
+    SOILED = 1 << 18
+}; /* more stack than a search takes, less than a thread
+    * has */
 enum { PHOTONS = 300, CANDIDATES = 29, MANY = 301 }; /* no multiples of ranks */
 
 typedef enum objective { VALUE, AT_LEAST, WORST } objective;
@@ -105,9 +109,21 @@ static murk_status find(murk_place_result *out, const murk_problem *problem,
                : murk_place_sensors(out, problem, matrix, &desc, err);
 }
 
+/* Leaves bytes other than 0 on the stack, so that an error without a value
+ * there has no message. */
+static void soil_stack(void)
+{
+    volatile char soiled[SOILED];
+    for (size_t i = 0; i < SOILED; ++i) {
+        soiled[i] = (char)0xa5;
+    }
+    (void)soiled[0];
+}
+
 static murk_status place(void *context, unsigned number, murk_error *err)
 {
     job *j = context;
+    soil_stack();
     murk_warn_to(NULL); /* of the scratch file */
     made_up *m = j->made_up[number] = make_problem(j);
     murk_at_least strict;
@@ -281,6 +297,7 @@ static void test_a_stopped_rank_ends_all(void)
             stopped += !has_ended;
             for (unsigned r = 0; r < 2 && !has_ended; ++r) {
                 CHECK(end.status[r] == MURK_INTERRUPTED && !j.plan[r].sensor);
+                CHECK_TEXT(end.error[r].text, "interrupted");
             }
             release(&j, 2);
         }
