@@ -14,8 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define KEY_PART_SIZE 256 /* of one part of a path; names are shorter */
-
 /* ---- making ---- */
 
 /* Takes ownership of the text. */
@@ -286,38 +284,6 @@ static cJSON *json_of(const murk_yaml *node)
     return all;
 }
 
-/* The child that `part`, one part of a path, names; NULL if there is none. */
-static murk_yaml *child_of(const murk_yaml *node, const char *part)
-{
-    if (node->kind == MURK_YAML_MAP) {
-        return murk_yaml_get(node, part);
-    }
-    const size_t digits = strspn(part, "0123456789");
-    const size_t i = digits > 0 && digits < 10 && part[digits] == '\0'
-                         ? (size_t)strtoul(part, NULL, 10)
-                         : node->n;
-    return node->kind == MURK_YAML_LIST && i < node->n ? node->child[i] : NULL;
-}
-
-/* The node at the path of a key; the root if the path is empty. NULL if the
- * tree has no such key. */
-static murk_yaml *find_key(murk_yaml *root, const char *key)
-{
-    murk_key_position at = murk_key_path_root(root);
-    while (*key && at.node) {
-        char part[KEY_PART_SIZE];
-        const size_t length = murk_key_path_part(&at, key);
-        if (length == 0 || length >= sizeof part) {
-            return NULL;
-        }
-        memcpy(part, key, length);
-        part[length] = '\0';
-        at = murk_key_path_member(&at, part, child_of(at.node, part));
-        key += length + (key[length] == '.');
-    }
-    return at.node;
-}
-
 static murk_status get(murk_scene *scene, const char *key, const char **json,
                        murk_error *err)
 {
@@ -328,7 +294,7 @@ static murk_status get(murk_scene *scene, const char *key, const char **json,
         status = murk_yaml_parse(&root, desc->resolved, strlen(desc->resolved),
                                  scene->name, err);
     }
-    const murk_yaml *node = status ? NULL : find_key(root, key);
+    const murk_yaml *node = status ? NULL : murk_key_path_find(root, key).node;
     if (!status && !node) {
         char where[sizeof err->where];
         snprintf(where, sizeof where, "%s: %s", scene->name, key);

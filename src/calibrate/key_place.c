@@ -175,13 +175,7 @@ static murk_status check_end(murk_key_place *out, const walk *f,
     /* Choices and counts do not vary continuously, and what a number selects
      * among files is read once, before the search. */
     const bool is_number =
-        at->row && !at->row->selects_files &&
-        (at->row->kind == MURK_KEY_NUMBER || at->row->kind == MURK_KEY_VECTOR ||
-         at->row->kind == MURK_KEY_NUMBERS ||
-         at->row->kind == MURK_KEY_NUMBER_LIST ||
-         at->row->kind == MURK_KEY_SPECTRUM_LIST ||
-         at->row->kind == MURK_KEY_SPECTRUM ||
-         at->row->kind == MURK_KEY_SHARED);
+        at->row && !at->row->selects_files && murk_key_is_continuous(at->row);
     return is_number ? MURK_OK
                      : fail(f, "a choice or a count, must be a number that may "
                                "be any");

@@ -5,6 +5,8 @@
 
 #include "base/number.h"
 
+#define PART_SIZE 256 /* of one part of a path; names are shorter */
+
 murk_key_position murk_key_path_root(murk_yaml *root)
 {
     static const murk_key whole = {.kind = MURK_KEY_MAP,
@@ -48,6 +50,35 @@ murk_key_position murk_key_path_member(const murk_key_position *at,
                ? (murk_key_position){child, murk_keys_find(at->row->keys, part),
                                      false}
                : (murk_key_position){child, at->row, true};
+}
+
+/* The child that `part` names; NULL if there is none. */
+static murk_yaml *child_of(const murk_yaml *node, const char *part)
+{
+    size_t i;
+    return node->kind == MURK_YAML_MAP ? murk_yaml_get(node, part)
+           : node->kind == MURK_YAML_LIST && murk_key_path_item(node, part, &i)
+               ? node->child[i]
+               : NULL;
+}
+
+murk_key_position murk_key_path_find(murk_yaml *root, const char *path)
+{
+    static murk_yaml none = {.kind = MURK_YAML_MAP};
+    murk_key_position at = murk_key_path_root(root);
+    while (*path && (at.node || at.row)) {
+        char part[PART_SIZE];
+        at.node = at.node ? at.node : &none;
+        const size_t length = murk_key_path_part(&at, path);
+        if (length == 0 || length >= sizeof part) {
+            return (murk_key_position){NULL, NULL, false};
+        }
+        memcpy(part, path, length);
+        part[length] = '\0';
+        at = murk_key_path_member(&at, part, child_of(at.node, part));
+        path += length + (path[length] == '.');
+    }
+    return at;
 }
 
 bool murk_key_path_item(const murk_yaml *list, const char *part, size_t *index)

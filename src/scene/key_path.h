@@ -34,6 +34,10 @@ size_t murk_key_path_part(const murk_key_position *at, const char *path);
 murk_key_position murk_key_path_member(const murk_key_position *at,
                                        const char *part, murk_yaml *child);
 
+/* The position at the end of a path of keys, indices and names. Its node is
+ * NULL if the tree has none there, its row if the table has none. */
+murk_key_position murk_key_path_find(murk_yaml *root, const char *path);
+
 /* Finds an item of a list by its index, or by the value of its key `name`.
  * False, with *index undefined, if there is none. */
 bool murk_key_path_item(const murk_yaml *list, const char *part, size_t *index);

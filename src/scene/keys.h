@@ -129,6 +129,10 @@ typedef void murk_key_visit(void *context, const murk_key *key, void *item);
 void murk_keys_visit(const murk_keys *keys, void *item, murk_key_visit *visit,
                      void *context);
 
+/* True if values of the row are numbers that may be any within a range, one or
+ * a list: no whole numbers, choices or texts. */
+bool murk_key_is_continuous(const murk_key *key);
+
 /* The first row with a name, of any variant, or NULL. */
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name);
 

@@ -98,16 +98,21 @@ murk_drift murk_timeline_drift(const murk_scene_track *track, double t_s)
         u * a->tilt_offset_rad + v * b->tilt_offset_rad};
 }
 
-static murk_yaml *number_node(double value, const char *source)
+static murk_yaml *text_node(const char *text, const char *source)
 {
-    char text[MURK_NUMBER_SIZE];
-    murk_number_print(text, value);
     murk_yaml *node = murk_yaml_make(MURK_YAML_SCALAR, source);
     if (node && !murk_yaml_set_text(node, text)) {
         murk_yaml_destroy(node);
         node = NULL;
     }
     return node;
+}
+
+static murk_yaml *number_node(double value, const char *source)
+{
+    char text[MURK_NUMBER_SIZE];
+    murk_number_print(text, value);
+    return text_node(text, source);
 }
 
 /* The value between two nodes: of numbers, and of the numbers of lists of equal
@@ -237,6 +242,33 @@ static murk_status check_options(const changes *c,
                            given);
 }
 
+/* Lets a value of an item of a list keep the name that the item has, so that
+ * paths and tracks find the item by its name at any time. Fails if the value
+ * has another one. */
+static murk_status keep_name(const changes *c, const murk_scene_track *track,
+                             const char *path, murk_yaml *value)
+{
+    const murk_key_position at = murk_key_path_find(c->root, path);
+    const bool is_item = at.node && at.in_item && at.row->keys &&
+                         murk_keys_find(at.row->keys, "name") &&
+                         value->kind == MURK_YAML_MAP;
+    const murk_yaml *old = is_item ? murk_yaml_get(at.node, "name") : NULL,
+                    *new = is_item ? murk_yaml_get(value, "name") : NULL;
+    if (!old || old->kind != MURK_YAML_SCALAR) {
+        return MURK_OK;
+    }
+    if (new &&
+        (new->kind != MURK_YAML_SCALAR || strcmp(new->text, old->text) != 0)) {
+        return murk_fail(c->err, MURK_BAD_VALUE, track->where,
+                         "key: %s has another name at a keyframe, must be %s "
+                         "or left out",
+                         path, old->text);
+    }
+    murk_yaml *name = new ? NULL : text_node(old->text, value->source);
+    return new || (name && murk_yaml_put(value, "name", name)) ? MURK_OK
+                                                               : no_memory(c);
+}
+
 /* Puts a value, which it owns, at a path. */
 static murk_status put(changes *c, const murk_scene_track *track,
                        const char *path, murk_yaml *value)
@@ -247,6 +279,9 @@ static murk_status put(changes *c, const murk_scene_track *track,
     murk_status status = check_options(c, track, path);
     if (!status) {
         status = note_path(c, path, track->where);
+    }
+    if (!status) {
+        status = keep_name(c, track, path, value);
     }
     if (status) {
         murk_yaml_destroy(value);
@@ -569,6 +604,37 @@ static murk_status check_lights(const changes *c, const murk_scene_track *track)
     return MURK_OK;
 }
 
+/* Lets values of a key step that are no numbers between which there are others:
+ * the track then says `hold`, so that the resolved scene does, too. Fails if
+ * the track asks for `linear`. */
+static murk_status choose_between(const changes *c,
+                                  const murk_scene_track *track)
+{
+    const size_t number = (size_t)(track - c->timeline->track);
+    const murk_key *row = murk_key_path_find(c->root, track->key).row;
+    murk_yaml *given =
+        murk_yaml_get(murk_yaml_get(c->root, "timeline"), "tracks")
+            ->child[number];
+    if (track->between != MURK_BETWEEN_LINEAR || !row ||
+        murk_key_is_continuous(row)) {
+        return MURK_OK;
+    }
+    /* The word as the user gave it: the track has the default, too. */
+    if (murk_yaml_get(given, "between")) {
+        return murk_fail(
+            c->err, MURK_BAD_VALUE, track->where,
+            "between: linear, but %s takes %s; must be nearest or hold",
+            track->key,
+            row->kind == MURK_KEY_COUNT || row->kind == MURK_KEY_SIZES
+                ? "whole numbers"
+                : "no numbers");
+    }
+    c->timeline->track[number].between = MURK_BETWEEN_HOLD;
+    murk_yaml *word = text_node("hold", c->root->source);
+    return word && murk_yaml_put(given, "between", word) ? MURK_OK
+                                                         : no_memory(c);
+}
+
 static murk_status set_key(changes *c, const murk_scene_track *track)
 {
     const murk_key *key = murk_scene_keys.key;
@@ -582,8 +648,11 @@ static murk_status set_key(changes *c, const murk_scene_track *track)
         return murk_fail(c->err, MURK_BAD_VALUE, track->where,
                          "key: %s must be the same at all times", track->key);
     }
-    const murk_status status =
+    murk_status status =
         strcmp(track->key, "lights") == 0 ? check_lights(c, track) : MURK_OK;
+    if (!status) {
+        status = choose_between(c, track);
+    }
     return status ? status : put_member(c, track, "value", track->key);
 }
 
@@ -591,12 +660,9 @@ static murk_status set_key(changes *c, const murk_scene_track *track)
 static murk_status set_failed(changes *c, const murk_scene_track *track)
 {
     char path[PATH_SIZE];
-    murk_yaml *failed = murk_yaml_make(MURK_YAML_SCALAR, c->root->source);
     const bool has_failed = c->timeline->at_s >= track->fails_at_s;
-    if (failed && !murk_yaml_set_text(failed, has_failed ? "true" : "false")) {
-        murk_yaml_destroy(failed);
-        failed = NULL;
-    }
+    murk_yaml *failed =
+        text_node(has_failed ? "true" : "false", c->root->source);
     snprintf(path, sizeof path, "sensors.fixed.%zu.failed",
              (size_t)track->sensor);
     return put(c, track, path, failed);

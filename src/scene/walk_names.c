@@ -26,6 +26,15 @@ const murk_key *murk_walk_find(const murk_keys *keys, const char *name,
     return NULL;
 }
 
+bool murk_key_is_continuous(const murk_key *key)
+{
+    const murk_key_kind kind = key->kind;
+    return kind == MURK_KEY_NUMBER || kind == MURK_KEY_VECTOR ||
+           kind == MURK_KEY_NUMBERS || kind == MURK_KEY_NUMBER_LIST ||
+           kind == MURK_KEY_SPECTRUM_LIST || kind == MURK_KEY_SPECTRUM ||
+           kind == MURK_KEY_SHARED;
+}
+
 const murk_key *murk_keys_find(const murk_keys *keys, const char *name)
 {
     return murk_walk_find(keys, name, -1);

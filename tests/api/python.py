@@ -680,6 +680,8 @@ def keys():
     scene["lights.0.center_m"] = numpy.array([5, 5, 3.5])
     check(scene["lights.0.center_m"] == [5, 5, 3.5] and scene["seed"] == 3, "NumPy values as keys")
     check(scene["photons.emit"] == 1000 and "media.fog" in scene and "media.smoke" not in scene, "keys")
+    scene["geometry.0.name"] = "walls"
+    check(scene["geometry.walls.name"] == "walls" and "geometry.floor" not in scene, "items by their names")
     # the scene is resolved once for an answer, and once for the names of tallies of a world
     call_in, calls = murk._scene.call_in, []
     murk._scene.call_in = lambda *arguments: (calls.append(arguments[1]), call_in(*arguments))

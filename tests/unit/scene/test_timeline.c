@@ -99,6 +99,64 @@ static void test_lists_are_interpolated_and_words_hold(void)
     murk_scene_desc_destroy(scene);
 }
 
+/* Between two whole numbers, words or maps there is no other value: they hold,
+ * unless the track asks for the nearest, and the scene as resolved says so. */
+static void test_whole_numbers_step(void)
+{
+    const char text[] =
+        AT("{key: sensors.count, keyframes: [{t_s: 0, value: 2}, {t_s: 10, "
+           "value: 5}]}, {key: cameras.0.samples, between: nearest, "
+           "keyframes: [{t_s: 0, value: 4}, {t_s: 10, value: 9}]}, "
+           "{key: media.fog.phase, keyframes: [{t_s: 0, value: {hg: 0}}, {t_s: "
+           "10, value: {hg: 0.5}}]}, {key: media.mist.phase.hg, keyframes: "
+           "[{t_s: 0, value: 0}, {t_s: 10, value: 0.5}]}") SENSORS
+        "count: 3}\n"
+        "media: {fog: {extinction_per_m: 1, albedo: 1}, mist: "
+        "{extinction_per_m: 1, albedo: 1}}\n"
+        "cameras: [{name: eye, from_m: [1, 1, 1], to_m: [2, 2, "
+        "2]}]\n" LAMP;
+    murk_scene_desc *scene = read_at(text, "9");
+    CHECK(scene->sensors.count == 2);
+    CHECK(scene->timeline.track[0].between == MURK_BETWEEN_HOLD);
+    CHECK(scene->cameras[0].samples == 9);
+    CHECK(scene->media[0].phase[0].mean_cosine.band[0] == 0);
+    CHECK_NEAR(scene->media[1].phase[0].mean_cosine.band[0], 0.45, 1e-15);
+    /* The scene as resolved. */
+    murk_scene_desc *again = read_at(scene->resolved, "10");
+    CHECK(again->sensors.count == 5);
+    CHECK(again->media[0].phase[0].mean_cosine.band[0] == 0.5);
+    murk_scene_desc_destroy(again);
+    murk_scene_desc_destroy(scene);
+}
+
+/* A track that replaces an item by another one leaves it the name by which the
+ * scene as resolved, and other keys, find it. */
+static void test_items_keep_their_names(void)
+{
+    const char *const paths[] = {"geometry.load", "geometry.1"};
+    for (int i = 0; i < 2; ++i) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 AT("{key: %s, keyframes: [{t_s: 0, value: {sphere: {center_m: "
+                    "[2, 2, 2], radius_m: 1}}}, {t_s: 5, value: {name: load, "
+                    "sphere: {center_m: [3, 2, 2], radius_m: 1}}}]}") LOAD LAMP,
+                 paths[i]);
+        murk_scene_desc *scene = read_at(text, "0");
+        CHECK_TEXT(scene->geometry[1].name, "load");
+        murk_scene_desc *again = read_at(scene->resolved, "6");
+        CHECK_TEXT(again->geometry[1].name, "load");
+        CHECK(again->geometry[1].solid.center.x == 3);
+        murk_scene_desc_destroy(again);
+        murk_scene_desc_destroy(scene);
+    }
+    CHECK_REFUSED(AT("{key: geometry.load, keyframes: [{t_s: 0, value: {name: "
+                     "hook, sphere: {center_m: [2, 2, 2], radius_m: 1}}}]}")
+                      LOAD LAMP,
+                  VALUE, "fog.yaml:3:54: timeline.tracks.0",
+                  "key: geometry.load has another name at a keyframe, must be "
+                  "load or left out");
+}
+
 /* A lamp moves along with the load: it is shifted, and turned about the place
  * of the load. */
 static void test_geometry_moves_with_its_lights(void)
@@ -451,6 +509,14 @@ static void test_refusals(void)
          "key: lights has 1 items at 0 s and 0 at 1 s, must have as many at "
          "all "
          "times; a light that is off has power_w 0"},
+        {TRACKS("{key: sensors.count, between: linear, " FRAMES "}"), VALUE,
+         TRACK_0,
+         "between: linear, but sensors.count takes whole numbers; must be "
+         "nearest or hold"},
+        {TRACKS("{key: lights.0.schedule, between: linear, " FRAMES "}"), VALUE,
+         TRACK_0,
+         "between: linear, but lights.0.schedule takes no numbers; must be "
+         "nearest or hold"},
         {TRACKS("{key: lights.0.power_w, keyframes: [{t_s: 0, value: -1}]}"),
          VALUE, "fog.yaml:3:105: lights.0.power_w", "-1, must be 0..1e15 W"},
     };
@@ -531,6 +597,8 @@ int main(void)
     test_steps();
     test_keys_between_keyframes();
     test_lists_are_interpolated_and_words_hold();
+    test_whole_numbers_step();
+    test_items_keep_their_names();
     test_geometry_moves_with_its_lights();
     test_luminaires_turn();
     test_sequences_of_grids();
