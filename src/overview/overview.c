@@ -207,7 +207,7 @@ murk_status murk_overview_make(murk_overview *out, const murk_session *session,
     }
     if (!status) {
         murk_overview_warn_of_cameras(scene, &out->forecast);
-        murk_overview_warn_of_timeline(scene);
+        murk_overview_warn_of_timeline(stage);
         murk_warn_of_escape(stage, out->forecast.escaped_share);
         murk_warn_of_thin_forecast(scene, &out->forecast);
     }

@@ -61,10 +61,11 @@ void murk_overview_warn_of_cameras(const murk_scene_desc *scene,
  * changes: "timeline": {steps, from_s, to_s, at_s, tracks: [{of, name, from_s,
  * to_s, keyframes, files}]}, with null for each value that a track does not
  * have. Nothing without a timeline. Warns of files of a sequence that steps
- * need and that do not exist. */
+ * need and that do not exist, and of steps at which a value of the scene is
+ * refused, one warning a key. */
 void murk_overview_print_timeline(const murk_scene_desc *scene);
 void murk_overview_json_timeline(cJSON *root, const murk_scene_desc *scene);
-void murk_overview_warn_of_timeline(const murk_scene_desc *scene);
+void murk_overview_warn_of_timeline(const murk_stage *stage);
 
 /* The forecast of a full run: photons, records, memory and disk space. poses:
  * NULL if the scene has no sensors. "forecast": see murk-results(5). */

@@ -6,6 +6,8 @@
 #include "results/summary.h"
 #include "scene/frames.h"
 #include "scene/timeline.h"
+#include "scene/variant.h"
+#include "world/sky.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -201,8 +203,127 @@ static void warn_of_files(const murk_scene_track *track,
     }
 }
 
-void murk_overview_warn_of_timeline(const murk_scene_desc *scene)
+/* ---- steps at which the scene is refused ---- */
+
+/* Steps that are looked at throughout, and with those beside keyframes: to read
+ * a scene takes milliseconds, with a weather year ten times as long. Keys that
+ * are named: more of them are one mistake. */
+#define SPREAD_MAX 64
+#define LOOKED_MAX 512
+#define KEYS_MAX   8
+
+/* The number of steps that are earlier than a time. */
+static size_t steps_before(const murk_scene_timeline *t, double t_s)
 {
+    size_t low = 0, high = murk_timeline_steps(t);
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (murk_timeline_time_s(t, middle) < t_s) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* Marks the steps before and after each keyframe, between which values are
+ * those between the values of these steps; and steps throughout, since clocks
+ * and turns give other values between them. */
+static void mark_steps(bool *is_looked_at, const murk_scene_timeline *t)
+{
+    const size_t steps = murk_timeline_steps(t);
+    const size_t n = steps < SPREAD_MAX ? steps : SPREAD_MAX;
+    for (size_t i = 0; i < n; ++i) {
+        is_looked_at[n > 1 ? i * (steps - 1) / (n - 1) : 0] = true;
+    }
+    for (size_t i = 0; i < t->tracks; ++i) {
+        const murk_scene_track *track = &t->track[i];
+        for (size_t k = 0; k < track->keyframes; ++k) {
+            const size_t after = steps_before(t, track->keyframe[k].t_s);
+            is_looked_at[after < steps ? after : steps - 1] = true;
+            is_looked_at[after > 0 ? after - 1 : 0] = true;
+        }
+    }
+}
+
+/* Fails if the scene, a light source or a fixed sensor is refused at a time. */
+static murk_status check_at(const murk_stage *stage, double t_s,
+                            murk_error *err)
+{
+    const murk_domain *domain = &stage->world.domain;
+    murk_scene_desc *now = NULL;
+    murk_source *light = NULL;
+    murk_sources *lights = NULL;
+    murk_status status = murk_scene_desc_read_at(&now, stage->scene, t_s, err);
+    const bool was_silent = murk_warn_quiet(true);
+    if (!status) {
+        status = murk_sky_lights(&light, NULL, now, err);
+    }
+    if (!status) {
+        status = murk_sources_create(&lights, light, now->n_lights, now->bands,
+                                     domain, err);
+    }
+    if (!status) {
+        status = murk_poses_check_fixed(&now->sensors, domain, err);
+    }
+    murk_warn_quiet(was_silent);
+    murk_sources_destroy(lights);
+    free(light);
+    murk_scene_desc_destroy(now);
+    return status;
+}
+
+/* The key of a place in the resolved scene, "FILE:LINE:COLUMN: KEY". */
+static const char *key_of(const char *where, const char *file)
+{
+    const size_t n = strlen(file);
+    if (strncmp(where, file, n) != 0) {
+        return where;
+    }
+    const char *key = where + n + strspn(where + n, ":0123456789");
+    return key + strspn(key, " ");
+}
+
+static void warn_of_steps(const murk_stage *stage)
+{
+    const murk_scene_desc *scene = stage->scene;
+    const murk_scene_timeline *t = &scene->timeline;
+    const size_t steps = murk_timeline_steps(t);
+    char named[KEYS_MAX][sizeof(murk_scene_where)];
+    size_t looked = 0, n = 0;
+    bool *is_looked_at = calloc(steps, sizeof *is_looked_at);
+    if (is_looked_at) {
+        mark_steps(is_looked_at, t);
+    }
+    for (size_t i = 0; is_looked_at && i < steps && looked < LOOKED_MAX; ++i) {
+        const double t_s = murk_timeline_time_s(t, i);
+        murk_error why = {.size = sizeof why};
+        if (!is_looked_at[i] || t_s == t->at_s) {
+            continue;
+        }
+        ++looked;
+        if (!check_at(stage, t_s, &why)) {
+            continue;
+        }
+        /* The first step at which this key is refused. */
+        const char *key = key_of(why.where, scene->path);
+        size_t k = 0;
+        while (k < n && strcmp(named[k], key) != 0) {
+            ++k;
+        }
+        if (k == n && n < KEYS_MAX) {
+            snprintf(named[n++], sizeof *named, "%s", key);
+            murk_warn(t->where, "is wrong at %.6g s: %s: %s", t_s, key,
+                      why.text);
+        }
+    }
+    free(is_looked_at);
+}
+
+void murk_overview_warn_of_timeline(const murk_stage *stage)
+{
+    const murk_scene_desc *scene = stage->scene;
     const murk_scene_timeline *t = &scene->timeline;
     for (size_t i = 0; i < t->tracks; ++i) {
         const char *pattern = t->track[i].kind == MURK_TRACK_MEDIUM
@@ -211,5 +332,8 @@ void murk_overview_warn_of_timeline(const murk_scene_desc *scene)
         if (pattern) {
             warn_of_files(&t->track[i], t, pattern);
         }
+    }
+    if (t->given) {
+        warn_of_steps(stage);
     }
 }

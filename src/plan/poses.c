@@ -140,29 +140,39 @@ static murk_status join_sites(murk_poses *p, size_t first, murk_error *err)
     return MURK_OK;
 }
 
-/* Appends the fixed sensors. */
+murk_status murk_poses_check_fixed(const murk_scene_sensors *sensors,
+                                   const murk_domain *domain, murk_error *err)
+{
+    for (size_t k = 0; k < sensors->n_fixed; ++k) {
+        const murk_scene_fixed_sensor *fixed = &sensors->fixed[k];
+        if (!murk_box_contains(&domain->box, fixed->position)) {
+            return murk_fail(err, MURK_BAD_VALUE, fixed->where,
+                             "position_m: %s m lies outside the domain, %s to "
+                             "%s m",
+                             murk_position_show(fixed->position).text,
+                             murk_position_show(domain->box.min).text,
+                             murk_position_show(domain->box.max).text);
+        }
+    }
+    return MURK_OK;
+}
+
+/* Appends the fixed sensors, each with a site of its own. */
 static murk_status place_fixed(murk_poses *p,
                                const murk_scene_sensors *settings,
                                const murk_domain *domain, uint32_t sites,
                                murk_error *err)
 {
     const size_t first = p->count - p->fixed;
+    const murk_status status = murk_poses_check_fixed(settings, domain, err);
+    if (status) {
+        return status;
+    }
     for (size_t k = 0; k < p->fixed; ++k) {
         const murk_scene_fixed_sensor *fixed = &settings->fixed[k];
-        const murk_vec3 x = fixed->position;
-        /* A fixed sensor must lie in the domain. */
-        if (!murk_box_contains(&domain->box, x)) {
-            return murk_fail(err, MURK_BAD_VALUE, fixed->where,
-                             "position_m: %s m lies outside the domain, %s to "
-                             "%s m",
-                             murk_position_show(x).text,
-                             murk_position_show(domain->box.min).text,
-                             murk_position_show(domain->box.max).text);
-        }
-        /* The pose of the sensor and a site of its own. */
         p->fixed_number[k] = first + k;
         p->pose[first + k] = (murk_pose){.type = (uint32_t)fixed->type,
-                                         .position = x,
+                                         .position = fixed->position,
                                          .heading_rad = fixed->heading_rad,
                                          .tilt_rad = fixed->tilt_rad};
         p->site[first + k] = sites + (uint32_t)k;

@@ -56,6 +56,10 @@ murk_status murk_poses_create_with(murk_poses **out,
                                    murk_error *err);
 void murk_poses_destroy(murk_poses *poses); /* NULL is fine */
 
+/* Fails with MURK_BAD_VALUE if a fixed sensor lies outside the domain. */
+murk_status murk_poses_check_fixed(const murk_scene_sensors *sensors,
+                                   const murk_domain *domain, murk_error *err);
+
 /* Compares two murk_vec3 by x, then y, then z, for qsort() and bsearch(). */
 int murk_by_position(const void *a, const void *b);
 

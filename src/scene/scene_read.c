@@ -12,7 +12,9 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "base/log.h"
 #include "base/memory_files.h"
+#include "base/number.h"
 #include "scene/conditions.h"
 #include "scene/ground.h"
 #include "scene/idle.h"
@@ -450,4 +452,19 @@ murk_status murk_scene_desc_parse(murk_scene_desc **out, const char *text,
 {
     return murk_scene_desc_parse_variant(out, text, path, overrides,
                                          n_overrides, NULL, err);
+}
+
+murk_status murk_scene_desc_read_at(murk_scene_desc **out,
+                                    const murk_scene_desc *scene, double t_s,
+                                    murk_error *err)
+{
+    static const murk_variant alone = {.condition = NULL};
+    char text[64] = "timeline.at_s=";
+    murk_number_print(text + strlen(text), t_s);
+    const murk_override at = {text, NULL};
+    const bool was_silent = murk_warn_quiet(true);
+    const murk_status status = murk_scene_desc_parse_variant(
+        out, scene->resolved, scene->path, &at, 1, &alone, err);
+    murk_warn_quiet(was_silent);
+    return status;
 }

@@ -38,4 +38,11 @@ murk_status murk_scene_desc_parse_variant(murk_scene_desc **out,
                                           const murk_variant *variant,
                                           murk_error *err);
 
+/* Reads a scene that has a timeline at another time, without conditions and
+ * without messages, from the text of the resolved scene. Lines and columns of
+ * places are those of that text. */
+murk_status murk_scene_desc_read_at(murk_scene_desc **out,
+                                    const murk_scene_desc *scene, double t_s,
+                                    murk_error *err);
+
 #endif

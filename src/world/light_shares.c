@@ -3,7 +3,6 @@
 #include "world/light_shares.h"
 
 #include "base/log.h"
-#include "base/number.h"
 #include "scene/timeline.h"
 #include "scene/variant.h"
 #include "world/sky.h"
@@ -27,21 +26,15 @@ static void raise(double *share, const murk_sources *lights)
 static void raise_at(double *share, const murk_scene_desc *now, double t_s,
                      const murk_domain *domain)
 {
-    char text[64] = "timeline.at_s=";
-    murk_number_print(text + strlen(text), t_s);
-    const murk_override at = {text, NULL};
-    const murk_variant alone = {.condition = NULL}; /* without conditions */
     murk_scene_desc *scene = NULL;
     murk_source *light = NULL;
     murk_sources *lights = NULL;
     murk_error why = {0};
-    const bool is_good =
-        !murk_scene_desc_parse_variant(&scene, now->resolved, now->path, &at, 1,
-                                       &alone, &why) &&
-        scene->n_lights == now->n_lights &&
-        !murk_sky_lights(&light, NULL, scene, &why) &&
-        !murk_sources_create(&lights, light, scene->n_lights, scene->bands,
-                             domain, &why);
+    const bool is_good = !murk_scene_desc_read_at(&scene, now, t_s, &why) &&
+                         scene->n_lights == now->n_lights &&
+                         !murk_sky_lights(&light, NULL, scene, &why) &&
+                         !murk_sources_create(&lights, light, scene->n_lights,
+                                              scene->bands, domain, &why);
     if (is_good) {
         raise(share, lights);
     }

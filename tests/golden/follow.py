@@ -284,6 +284,36 @@ def wrong_steps_say_so(folder, scene):
     check("has no timeline" in done.stderr, done.stderr)
 
 
+def check_foresees_wrong_steps(scene):
+    """murk check names key, time, value and limit of values that a later step refuses, in one line a key."""
+    wrong = (("{key: media.fog.albedo, keyframes: [{t_s: 0, value: 0.5}, {t_s: 6, value: 1.1}, {t_s: 9, value: 0.5}]}",
+              "is wrong at 6 s: media.fog.albedo: 1.1, must be 0..1"),
+             ("{key: media.fog.extinction_per_m, keyframes: [{t_s: 6, value: 1}, {t_s: 7, value: -2}]}",
+              "is wrong at 9 s: media.fog.extinction_per_m: -2, must be 0..1e9 1/m"),
+             ("{key: lights.0.position_m, keyframes: [{t_s: 0, value: [6, 4, 3]}, {t_s: 12, value: [6, 4, 5]}]}",
+              "is wrong at 9 s: lights.0: the lamp at [6, 4, 4.5] m is outside the domain [0, 0, 0] .. [12, 8, 4] m"),
+             ("{sensor: 0, keyframes: [{t_s: 0, position_m: [11, 7, 3]}, {t_s: 12, position_m: [15, 7, 3]}]}",
+              "is wrong at 6 s: sensors.fixed.0: position_m: [13, 7, 3] m lies outside the domain"),
+             ("{geometry: load, lights: [1], keyframes: [{t_s: 0, translate_m: [2, 4, 1]}, {t_s: 3, translate_m: [2, 4, 2]}, "
+              "{t_s: 4, translate_m: [2, 40, 1]}]}",
+              "is wrong at 6 s: lights.1: the lamp at [2, 40, 2.5] m is outside the domain"))
+    for track, text in wrong:
+        words = ["--set", f"timeline.tracks=[{track}]"]
+        said = run("check", scene, *words).stderr
+        check(said.count("is wrong at") == 1 and f"{scene}:3:1: timeline: {text}" in " ".join(said.split()), track, said)
+        t_s = text.split()[3]
+        check(text.split(" s: ")[1] in run("place", scene, *words, "--at", t_s, code=2).stderr, track, "at", t_s)
+    # Between two steps, and before the first, no step has the value; two keys are two lines.
+    for track, lines in (("{key: media.fog.albedo, keyframes: [{t_s: 3, value: 1}, {t_s: 4, value: 2}, {t_s: 5, value: 1}]}", 0),
+                         ("{key: media.fog.albedo, keyframes: [{t_s: -3, value: 2}, {t_s: 0, value: 1}]}", 0),
+                         ("{key: media.fog.albedo, keyframes: [{t_s: 3, value: 1}, {t_s: 6, value: 2}, {t_s: 9, value: 1}]}, "
+                          "{key: lights.0.power_w, keyframes: [{t_s: 6, value: 1}, {t_s: 9, value: -1}]}", 2)):
+        said = run("check", scene, "--set", f"timeline.tracks=[{track}]").stderr
+        check(said.count("is wrong at") == lines, track, said)
+    said = run("check", scene).stderr
+    check("is wrong at" not in said, "a good scene", said)
+
+
 def frames_that_do_not_fit(folder, scene):
     """A frame that is missing, one of other voxels, which stands alone but does not mix with others, and one that is no
     grid: a row that says so, and the steps after it go on."""
@@ -419,6 +449,7 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     moves_are_differences(made)
     goes_on(top, path, made)
     wrong_steps_say_so(top, path)
+    check_foresees_wrong_steps(path)
     frames_that_do_not_fit(top, path)
     things_that_swallow_others(top, path)
     shorter_timelines(top, path, made)
