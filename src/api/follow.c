@@ -3,6 +3,7 @@
  * as murk place --at T --start PLAN makes it. A step whose plan lies in the
  * folder already, with the same identity, is not made again. */
 #include "api/follow.h"
+#include "api/scene.h"
 
 #include "base/file.h"
 #include "base/log.h"
@@ -92,6 +93,7 @@ murk_status murk_follow_scene_at(murk_scene **out, const murk_follow *follow,
     murk_number_print(text, t_s);
     murk_status status = copy_scene(out, follow->scene, err);
     if (!status) {
+        (*out)->is_step = true;
         status = murk_scene_set(*out, "timeline.at_s", text, err);
     }
     if (status || !start) {
@@ -128,7 +130,10 @@ static murk_status read_timeline(murk_follow *follow, murk_error *err)
                            "knowledge: explore does not follow a timeline; "
                            "must be known or unknown");
     }
+    /* Keys without effect are those of the whole: the plan of a step has
+     * another start, and not all media. */
     if (!status) {
+        murk_scene_tell(desc);
         follow->steps = follow->end = murk_timeline_steps(&desc->timeline);
         murk_sequence_init(&follow->sequence, desc->sensors.fixed_listed);
         status = murk_follow_read_start(follow, desc, &call.failure);

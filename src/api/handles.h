@@ -61,6 +61,7 @@ struct murk_scene {
     murk_context *context;
     char *name;   /* of the text, in messages */
     bool is_file; /* read from the file `name` */
+    bool is_step; /* of murk follow, which calls murk_scene_tell() once */
     char *text;
     size_t n;
     murk_override *set; /* [n] keys of murk_scene_set() and

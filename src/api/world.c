@@ -168,7 +168,9 @@ static murk_status build(murk_world *world, murk_scene *scene,
     if (status) {
         return status;
     }
-    murk_scene_tell(world->desc);
+    if (!scene->is_step) {
+        murk_scene_tell(world->desc);
+    }
     return world->desc->placement.over == MURK_SCENE_OBJECTIVE_NONE
                ? build_all(world, scene, earlier, err)
                : MURK_OK;

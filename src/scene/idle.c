@@ -4,6 +4,7 @@
 #include "scene/idle.h"
 
 #include "scene/key_path.h"
+#include "scene/override.h"
 #include "scene/walk.h"
 #include "scene/weather.h"
 
@@ -52,10 +53,22 @@ bool murk_idle_asks_time(const murk_scene_desc *s)
     return false;
 }
 
-/* True if a light of the sky or a medium takes the weather. */
+/* True if a track of the timeline sets a key in that of the scene. */
+static bool is_changed(const murk_scene_desc *s, const char *key)
+{
+    bool is = false;
+    for (size_t i = 0; i < s->timeline.tracks; ++i) {
+        const char *of = s->timeline.track[i].key;
+        is = is || (of && murk_override_overlap(of, key));
+    }
+    return is;
+}
+
+/* True if a light of the sky or a medium takes the weather, or may take it at
+ * another time. */
 static bool uses_weather(const murk_scene_desc *s)
 {
-    bool uses = false;
+    bool uses = is_changed(s, "lights") || is_changed(s, "media");
     for (size_t i = 0; i < s->n_lights; ++i) {
         uses = uses || s->lights[i].by_weather;
     }
@@ -93,8 +106,7 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [SIGHT] = p->through != MURK_SCENE_REFRACT || !p->by_normal,
         [EXPLORING] = p->knowledge == MURK_SCENE_EXPLORE,
         [START_PLAN] = p->method != MURK_PLACE_GREEDY,
-        /* murk follow gives each step a start plan, but the first */
-        [FROM_ANYWHERE] = !is_best || !p->start_plan || s->timeline.given,
+        [FROM_ANYWHERE] = !is_best || !p->start_plan,
         [FROM_A_PLAN] = p->start_plan || s->timeline.given,
         [STEPS] = s->timeline.given,
         [RESTARTS] = is_best,
@@ -107,8 +119,8 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
         [REGRET] = p->over == MURK_SCENE_OBJECTIVE_REGRET,
         [BUDGET] = s->sensors.budget > 0,
         [STORE] = s->photons.maps != MURK_SCENE_MAPS_NONE,
-        [SITE] = murk_idle_asks_time(s) || murk_scene_has_ground(s) ||
-                 uses_weather(s) || has_netcdf(s) ||
+        [SITE] = murk_idle_asks_time(s) || is_changed(s, "lights") ||
+                 murk_scene_has_ground(s) || uses_weather(s) || has_netcdf(s) ||
                  s->sensors.candidates.points.files > 0 || p->targets.points ||
                  /* positions of sensors by longitude and latitude */
                  (s->site.has_latitude && s->site.has_longitude &&
@@ -121,6 +133,7 @@ static void add_uses(bool uses[N_USES], const murk_scene_desc *s)
 }
 
 #define WITHOUT "has no effect without "
+#define A_PLAN  "start_plan, timeline or murk_plan_update()"
 
 const murk_idle_key murk_idle_keys[] = {
     {"domain.outside", OUTSIDE, "has no effect with sides: periodic"},
@@ -131,8 +144,8 @@ const murk_idle_key murk_idle_keys[] = {
     {"placement.through", SIGHT, "bends no sightlines with visibility: normal"},
     {"placement.start_m", EXPLORING, WITHOUT "knowledge: explore"},
     {"placement.start_plan", START_PLAN, "has no effect with method: greedy"},
-    {"placement.moves_at_most", FROM_A_PLAN, WITHOUT "start_plan or timeline"},
-    {"placement.move_cost", FROM_A_PLAN, WITHOUT "start_plan or timeline"},
+    {"placement.moves_at_most", FROM_A_PLAN, WITHOUT A_PLAN},
+    {"placement.move_cost", FROM_A_PLAN, WITHOUT A_PLAN},
     {"placement.look_ahead", STEPS, WITHOUT "timeline"},
     {"placement.restarts", RESTARTS, WITHOUT "method: best"},
     {"placement.restarts", FROM_ANYWHERE, "has no effect beside start_plan"},
@@ -264,9 +277,10 @@ static bool has_region(const murk_scene_desc *scene, const char *medium)
 
 static bool find_media(murk_scene_desc *scene, const murk_yaml *media)
 {
+    const bool is_any = is_changed(scene, "regions");
     bool has_memory = true;
     for (size_t m = 0; media && m < media->n && has_memory; ++m) {
-        if (!has_region(scene, media->key[m])) {
+        if (!is_any && !has_region(scene, media->key[m])) {
             char key[MURK_WALK_KEY_SIZE];
             snprintf(key, sizeof key, "media.%s", media->key[m]);
             has_memory = add(scene, media->child[m], key,

@@ -22,8 +22,8 @@ extern const murk_idle_key murk_idle_keys[]; /* key NULL ends it */
 
 /* Fills scene->idle from the resolved tree `root`: keys that the user has
  * set to another value than the default, and that have an effect neither in
- * the scene nor in any condition; and media that no region uses. False when
- * out of memory. */
+ * the scene nor in any condition, nor may have one at another time; and media
+ * that no region uses. False when out of memory. */
 bool murk_idle_find(murk_scene_desc *scene, murk_yaml *root);
 
 /* True if the light of the scene depends on the time of its site. */

@@ -314,6 +314,20 @@ def check_foresees_wrong_steps(scene):
     check("is wrong at" not in said, "a good scene", said)
 
 
+def keys_in_vain(folder, scene):
+    """nodes act at the first step, unless that begins at a plan, too; a rule on moves acts at all others."""
+    out, plan = os.path.join(folder, "vain"), os.path.join(folder, "vain-plan")
+    words = ["--set", "timeline.times_s=[0, 3]", "--set", "placement.nodes=7", "--set", "placement.moves_at_most=1"]
+    said = run("follow", scene, "-o", out, *words).stderr
+    check("no effect" not in said, "keys that have an effect", said)
+    run("place", scene, "-o", plan)
+    start = ["--start", os.path.join(plan, "plan.json")]
+    for command in (["follow", scene, "-o", out], ["place", scene, "--at", "3", "-o", out + "3"]):
+        said = run(*command, *words, *start, "--force").stderr
+        check(said.count("no effect") == 1 and "placement.nodes=7: has no effect with method: best beside start_plan" in said,
+              "nodes beside a start plan", command, said)
+
+
 def frames_that_do_not_fit(folder, scene):
     """A frame that is missing, one of other voxels, which stands alone but does not mix with others, and one that is no
     grid: a row that says so, and the steps after it go on."""
@@ -450,6 +464,7 @@ with tempfile.TemporaryDirectory(prefix="murk-follow-") as top:
     goes_on(top, path, made)
     wrong_steps_say_so(top, path)
     check_foresees_wrong_steps(path)
+    keys_in_vain(top, path)
     frames_that_do_not_fit(top, path)
     things_that_swallow_others(top, path)
     shorter_timelines(top, path, made)

@@ -184,6 +184,30 @@ static void test_a_condition_may_make_it_act(void)
                     "conditions={misty: {regions.0.medium: mist}}", NULL) == 0);
 }
 
+#define TIMELINE(track) "timeline={times_s: [0, 1], tracks: [" track "]}"
+
+/* At other times keys act that do not now, by a track or, as those of the first
+ * step do, without a start plan; with one each step begins at a plan. */
+static void test_another_time_may_make_it_act(void)
+{
+    CHECK(idle_with(TIMELINE(""), "placement.moves_at_most=1",
+                    "placement.move_cost=0.1") == 0);
+    CHECK(idle_with(TIMELINE(""), "placement.nodes=7",
+                    "placement.restarts=7") == 0);
+    CHECK(idle_with(TIMELINE(""), "placement.nodes=7",
+                    "placement.start_plan=plan.json") == 1);
+    CHECK(idle_with("media.mist={extinction_per_m: 1, albedo: 1}", TIMELINE(""),
+                    NULL) == 1);
+    CHECK(idle_with("media.mist={extinction_per_m: 1, albedo: 1}",
+                    TIMELINE("{key: regions.0.medium, keyframes: [{t_s: 0, "
+                             "value: fog}, {t_s: 1, value: mist}]}"),
+                    NULL) == 0);
+    CHECK(idle_with("site={time: 2026-06-21T12:00:00Z, time_zone: Z}",
+                    TIMELINE("{key: lights.0.schedule, keyframes: [{t_s: 0, "
+                             "value: always}, {t_s: 1, value: night}]}"),
+                    NULL) == 0);
+}
+
 /* All defaults are written out there, which are nobody's wishes. */
 static void test_the_scene_as_resolved_says_the_same(void)
 {
@@ -230,6 +254,7 @@ int main(void)
 {
     test_each_rule();
     test_a_condition_may_make_it_act();
+    test_another_time_may_make_it_act();
     test_the_scene_as_resolved_says_the_same();
     test_the_place_is_that_of_the_key();
     test_the_reference_lists_them();
