@@ -205,9 +205,10 @@ static void warn_of_files(const murk_scene_track *track,
 
 /* ---- steps at which the scene is refused ---- */
 
-/* Steps that are looked at throughout, and with those beside keyframes: to read
- * a scene takes milliseconds, with a weather year ten times as long. Keys that
- * are named: more of them are one mistake. */
+/* Steps that are checked: this many spread evenly over the timeline, and this
+ * many in all, with those beside keyframes. Reading the scene of a step takes
+ * milliseconds, or with a weather year some ten times as long. No more keys
+ * than KEYS_MAX are named, since more of them have one cause. */
 #define SPREAD_MAX 64
 #define LOOKED_MAX 512
 #define KEYS_MAX   8
